@@ -134,7 +134,7 @@ int list(const ArchiveArguments& arguments) {
 int listRooms(const ArchiveArguments& arguments) {
   for (const WatchedSite& site : sitesToTell(arguments)) {
     print(printable(site.history.site) + ":\n");
-    for (const KnownRoom& room : site.history.ledger.rooms)
+    for (const SiteRoom& room : site.history.ledger.rooms)
       print("  " + room.id + (room.name == room.id ? "" : "  " + printable(room.name)) +
             (room.isCorridor ? "  (corridor)" : "") + "\n");
   }

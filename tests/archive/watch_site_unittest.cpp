@@ -27,7 +27,7 @@ SiteHistory sixtyNights() {
       run.rooms = {seen("R1", 2, 20), seen("R2", n < 30 ? 3 : 2, 12)};
       history.runs.push_back(run);
     }
-  KnownRoom kitchen;
+  SiteRoom kitchen;
   kitchen.id = "R2", kitchen.name = "Kitchen";
   history.ledger.rooms = {kitchen};
   return history;
@@ -196,7 +196,7 @@ TEST(WatchSite, theAreaOfACorridorIsNotAskedFor) {
     history.runs.push_back(run);
   }
   EXPECT_EQ(watchSite(history, {}).changes.size(), 1U);
-  KnownRoom corridor;
+  SiteRoom corridor;
   corridor.id = "C1", corridor.isCorridor = true;
   history.ledger.rooms = {corridor};
   EXPECT_TRUE(watchSite(history, {}).changes.empty());
@@ -312,7 +312,7 @@ TEST(ChangeText, saysWhatIsThereAgainAndHowManyDoors) {
   EXPECT_EQ(changeText({"R1", "seen", 0, 0, 1}, history), "R1: is there since 1970-01-04");
   EXPECT_EQ(changeText({"R1", "doors", 0, 2, 1}, history),
             "R1: 1 door instead of 2 since 1970-01-04");
-  KnownRoom unnamed;
+  SiteRoom unnamed;
   unnamed.id = unnamed.name = "R1";
   history.ledger.rooms = {unnamed};
   EXPECT_EQ(changeText({"R1", "seen", 0, 1, 0}, history), "R1: is gone since 1970-01-04");

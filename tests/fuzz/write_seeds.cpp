@@ -53,7 +53,7 @@ void writeMaps(const fs::path& folder, const Stages& stages) {
 
 void writeTexts(const fs::path& folder, const Stages& stages) {
   SiteFile site;
-  site.rooms.push_back({"R1", "Kitchen", false, {1, 1}, 4, {{{0, 0}, {2, 0}, {2, 2}}, {}}, {}});
+  site.rooms.push_back({"R1", "Kitchen", false, {1, 1}, {{{0, 0}, {2, 0}, {2, 2}}, {}}, 4, {}, {}});
   site.rooms[0].doors.push_back({{2, 1}, 0.9, ""});
   ExtractOptions options;
   write(folder / "graph", std::string(1, '\0') + graphJson(stages));

@@ -24,7 +24,7 @@ TEST(NameAreas, roomsOfAFileKeepTheirNamesInAnotherFrame) {
   NamedAreas named = nameAreas(before, {}, "site.json");
   EXPECT_EQ(nameAt(before, named.names, {10, 5}), "C1");
   const std::string kitchen = nameAt(before, named.names, {1.5, 2});
-  for (KnownRoom& room : named.file.rooms)
+  for (SiteRoom& room : named.file.rooms)
     if (room.id == kitchen) room.name = "Kitchen";
   const NamedAreas again = nameAreas(after, named.file, "site.json");
   EXPECT_EQ(nameAt(after, again.names, pose({1.5, 2})), "Kitchen");
@@ -35,7 +35,7 @@ TEST(NameAreas, roomsOfAFileKeepTheirNamesInAnotherFrame) {
 TEST(NameAreas, idsTellRoomsOfOneNameApart) {
   const AreaGraph areas = areasAt({});
   NamedAreas named = nameAreas(areas, {}, "site.json");
-  for (KnownRoom& room : named.file.rooms) room.name = "Office";
+  for (SiteRoom& room : named.file.rooms) room.name = "Office";
   std::vector<std::string> names = nameAreas(areas, named.file, "site.json").names;
   EXPECT_EQ(names[0].rfind("Office (", 0), 0u) << names[0];
   std::sort(names.begin(), names.end());
@@ -45,7 +45,8 @@ TEST(NameAreas, idsTellRoomsOfOneNameApart) {
 
 TEST(NameAreas, anotherBuildingIsRefused) {
   SiteFile file;
-  file.rooms.push_back({"R1", "R1", false, {0, 0}, 4, {{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}}, {}});
+  const Ring square{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  file.rooms.push_back({"R1", "R1", false, {0, 0}, {square, {}}, 4, {}, {}});
   EXPECT_THROW(nameAreas(areasAt({50, 50, 0.3}), file, "site.json"), DataError);
 }
 

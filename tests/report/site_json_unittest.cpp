@@ -16,7 +16,7 @@ std::string complaint(const std::string& text) {
 SiteFile sampleFile() {
   SiteFile file;
   file.nextRoom = 2;
-  file.rooms.push_back({"R1", "Kitchen \"old\"", false, {1, 1}, 4, {}, {}});
+  file.rooms.push_back({"R1", "Kitchen \"old\"", false, {1, 1}, {}, 4, {}, {}});
   file.rooms[0].polygon.outer = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
   file.rooms[0].polygon.holes = {{{0.5, 0.5}, {0.5, 1}, {1, 0.5}}};
   file.rooms[0].doors = {{{2, 1}, 0.9, "C1"}, {{0, 1}, 0.8, ""}};

@@ -39,7 +39,7 @@ void Archive::nameRoom(const std::string& site, const std::string& id, const std
   Transaction transaction(database);
   SiteFile ledger = readLedger(database, site);
   const auto room = std::find_if(ledger.rooms.begin(), ledger.rooms.end(),
-                                 [&](const KnownRoom& known) { return known.id == id; });
+                                 [&](const SiteRoom& known) { return known.id == id; });
   if (room == ledger.rooms.end())
     throw DataError(database.file() + ": has no room " + id + ": 'rooms' lists those that it has");
   room->name = name;

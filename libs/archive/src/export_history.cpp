@@ -98,7 +98,7 @@ Json robotJson(const RobotWatch& robot, const SiteHistory& history) {
           {"sentence", utf8Text(robot.sentence)}};
 }
 
-Json knownRoomJson(const KnownRoom& room) {
+Json knownRoomJson(const SiteRoom& room) {
   return {{"id", room.id}, {"name", utf8Text(room.name)}, {"area_m2", numberOrNull(room.area)}};
 }
 

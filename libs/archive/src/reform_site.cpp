@@ -34,7 +34,7 @@ void nameKnownRooms(Comparison& comparison, SiteFile& ledger, const std::string&
   auto [rooms, file] = nameRooms(comparison.rooms, ledger, name);
   const auto isKnown = [&](const SiteRoom& room) {
     return std::any_of(ledger.rooms.begin(), ledger.rooms.end(),
-                       [&](const KnownRoom& known) { return known.id == room.id; });
+                       [&](const SiteRoom& known) { return known.id == room.id; });
   };
   std::set<std::string> dropped;
   for (const SiteRoom& room : rooms)

@@ -177,7 +177,7 @@ using AllSeries = std::map<std::pair<std::string, std::string>, RoomSeries>;
 AllSeries seriesOf(const SiteHistory& history) {
   AllSeries series;
   std::set<std::string> corridors;
-  for (const KnownRoom& room : history.ledger.rooms)
+  for (const SiteRoom& room : history.ledger.rooms)
     if (room.isCorridor) corridors.insert(room.id);
   for (std::size_t i = 0; i < history.runs.size(); ++i) {
     const HistoryRun& run = history.runs[i];
@@ -266,7 +266,7 @@ SiteHistory historyUpTo(SiteHistory history, const std::string& sha256) {
 
 std::string changeText(const RoomChange& change, const SiteHistory& history) {
   std::string name = change.room;
-  for (const KnownRoom& room : history.ledger.rooms)
+  for (const SiteRoom& room : history.ledger.rooms)
     if (room.id == change.room && room.name != room.id) name += " " + room.name;
   const std::string since = " since " + dayText(history.runs[change.run].time);
   if (change.what == "seen")

@@ -38,8 +38,7 @@ std::vector<SiteRoom> roomsOf(const AreaGraph& graph) {
   return rooms;
 }
 
-template <class Room>
-Room moved(Room room, const Transform2D& pose) {
+SiteRoom moved(SiteRoom room, const Transform2D& pose) {
   const Motion2D motion(pose);
   room.center = motion(room.center);
   forEachRing(room.polygon, [&](Ring& ring) {
@@ -50,11 +49,10 @@ Room moved(Room room, const Transform2D& pose) {
 }
 
 /** Rooms and their doors as areas with passages. */
-template <class Room>
-AreaGraph areasOf(const std::vector<Room>& rooms) {
+AreaGraph areasOf(const std::vector<SiteRoom>& rooms) {
   AreaGraph graph;
   std::map<std::string, std::size_t> placeOf;
-  for (const Room& room : rooms) {
+  for (const SiteRoom& room : rooms) {
     placeOf[room.id] = graph.areas.size();
     Area area;
     if (!room.isCorridor) area.room = RoomId(graph.areas.size());
@@ -69,9 +67,8 @@ AreaGraph areasOf(const std::vector<Room>& rooms) {
   return graph;
 }
 
-template <class Room>
-std::vector<const Polygon*> polygonsOf(const std::vector<Room>& rooms) {
-  return mapped(rooms, [](const Room& room) { return &room.polygon; });
+std::vector<const Polygon*> polygonsOf(const std::vector<SiteRoom>& rooms) {
+  return mapped(rooms, [](const SiteRoom& room) { return &room.polygon; });
 }
 
 void drawWall(Point a, Point b, Grid& grid) {
@@ -93,17 +90,16 @@ void drawDoor(const SiteDoor& door, Grid& grid) {
 }
 
 /** A map of the rooms: free inside, walls along the outlines, but in the doors. */
-template <class Room>
-WallMap mapOf(const std::vector<Room>& rooms) {
+WallMap mapOf(const std::vector<SiteRoom>& rooms) {
   GridFrame frame = frameRound(polygonsOf(rooms));
   frame.resolution /= 2;
   frame.width = 2 * frame.width + 1, frame.height = 2 * frame.height + 1;
   Grid grid{frame, std::vector<State>(frame.cellCount(), State::unknown)};
-  for (const Room& room : rooms)
+  for (const SiteRoom& room : rooms)
     for (const Cell c : cellsIn(room.polygon, frame)) grid.cells[frame.index(c)] = State::free;
-  for (const Room& room : rooms)
+  for (const SiteRoom& room : rooms)
     forEachEdge(room.polygon, [&](Point a, Point b) { drawWall(a, b, grid); });
-  for (const Room& room : rooms)
+  for (const SiteRoom& room : rooms)
     for (const SiteDoor& door : room.doors) drawDoor(door, grid);
   return wallMap(grid);
 }
@@ -148,7 +144,7 @@ std::string newId(SiteFile& file, bool isCorridor) {
   for (;;) {
     std::string id = (isCorridor ? "C" : "R") + std::to_string(next++);
     if (std::none_of(file.rooms.begin(), file.rooms.end(),
-                     [&](const KnownRoom& room) { return room.id == id; }))
+                     [&](const SiteRoom& room) { return room.id == id; }))
       return id;
   }
 }
@@ -167,14 +163,16 @@ std::vector<std::optional<std::size_t>> knownRooms(const std::vector<AreaMatch>&
   return result;
 }
 
-void setShape(KnownRoom& known, const SiteRoom& room, const Transform2D& pose) {
-  const SiteRoom inFile = moved(room, pose);
-  known.center = inFile.center, known.area = inFile.area;
-  known.polygon = inFile.polygon, known.doors = inFile.doors;
+/** A known room as it is drawn now. */
+SiteRoom reshaped(const SiteRoom& known, const SiteRoom& room, const Transform2D& pose) {
+  SiteRoom now = moved(room, pose);
+  now.id = known.id, now.name = known.name, now.isCorridor = known.isCorridor;
+  now.runs.clear();
+  return now;
 }
 
-void sortKnown(std::vector<KnownRoom>& rooms) {
-  std::stable_sort(rooms.begin(), rooms.end(), [](const KnownRoom& l, const KnownRoom& r) {
+void sortKnown(std::vector<SiteRoom>& rooms) {
+  std::stable_sort(rooms.begin(), rooms.end(), [](const SiteRoom& l, const SiteRoom& r) {
     return l.isCorridor < r.isCorridor;
   });
 }
@@ -212,18 +210,19 @@ NamedRooms nameRooms(std::vector<SiteRoom> rooms, SiteFile file, const std::stri
   for (std::size_t s = 0; s < rooms.size(); ++s) {
     if (!knownOf[s]) {
       const std::string id = newId(file, rooms[s].isCorridor);
-      file.rooms.push_back({id, id, rooms[s].isCorridor, {}, 0, {}, {}});
+      SiteRoom& known = file.rooms.emplace_back();
+      known.id = known.name = id, known.isCorridor = rooms[s].isCorridor;
     }
     placeOf.push_back(knownOf[s].value_or(file.rooms.size() - 1));
     newIdOf[rooms[s].id] = file.rooms[placeOf[s]].id;
   }
   for (std::size_t s = 0; s < rooms.size(); ++s) {
     SiteRoom& room = rooms[s];
-    KnownRoom& known = file.rooms[placeOf[s]];
+    SiteRoom& known = file.rooms[placeOf[s]];
     room.id = known.id, room.name = known.name;
     for (SiteDoor& door : room.doors)
       if (!door.to.empty()) door.to = newIdOf.at(door.to);
-    if (!knownOf[s] || found.matches[s].overlap < kMajority) setShape(known, room, pose);
+    if (!knownOf[s] || found.matches[s].overlap < kMajority) known = reshaped(known, room, pose);
   }
   sortKnown(file.rooms);
   sortRooms(rooms);

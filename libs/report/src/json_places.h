@@ -24,8 +24,7 @@ inline Json doorJson(const SiteDoor& door) {
 }
 
 /** A room of a site as it lies, of a comparison or of the file of names. */
-template <class Room>
-Json placedRoomJson(const Room& room, const Json& doors) {
+inline Json placedRoomJson(const SiteRoom& room, const Json& doors) {
   return {{"id", room.id},
           {"name", room.name},
           {"kind", room.isCorridor ? "corridor" : "room"},

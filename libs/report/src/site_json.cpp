@@ -74,8 +74,8 @@ SiteDoor door(const JsonNode& node) {
   return {readPlace(node), readCoordinate(node["width"]), to.json.is_null() ? "" : to.text()};
 }
 
-KnownRoom room(const JsonNode& node) {
-  KnownRoom result;
+SiteRoom room(const JsonNode& node) {
+  SiteRoom result;
   result.id = node["id"].text();
   if (result.id.empty()) throw Broken{node["id"].place, "is empty"};
   result.name = node.contains("name") ? node["name"].text() : "";
@@ -132,7 +132,7 @@ std::string siteJson(const SiteFile& file) {
   JsonDocument document("roomgraph/site");
   document.add("program", programJson());
   document.add("next", {{"room", file.nextRoom}, {"corridor", file.nextCorridor}});
-  document.addList("rooms", file.rooms, [](const KnownRoom& room) {
+  document.addList("rooms", file.rooms, [](const SiteRoom& room) {
     return placedRoomJson(room, mapped(room.doors, doorJson));
   });
   return std::move(document).text();
