@@ -19,7 +19,7 @@ class RepairedRun:
     name: str
     file: str
     state: str
-    """"mended"; or left as it was: "kept", "reference", or "lost" where much of it fits nowhere."""
+    """"mended"; or left as it was: "kept" or "reference"."""
     reason: str
     """Of the state, one line."""
     moved: float

@@ -12,14 +12,13 @@
 namespace roomgraph {
 
 enum class RepairState {
-  mended,     ///< its key frames lie where all runs together, or it alone, have them
-  kept,       ///< left as it was: it would not get better, or nothing tells where it really lies
-  reference,  ///< counts as the truth, so it is left as it was
-  lost        ///< left as it was: much of it fits nowhere
+  mended,    ///< its key frames lie where all runs together, or it alone, have them
+  kept,      ///< left as it was: it would not get better, or nothing tells where it really lies
+  reference  ///< counts as the truth, so it is left as it was
 };
 
-[[nodiscard]] constexpr std::array<const char*, 4> enumNames(RepairState) {
-  return {"mended", "kept", "reference", "lost"};
+[[nodiscard]] constexpr std::array<const char*, 3> enumNames(RepairState) {
+  return {"mended", "kept", "reference"};
 }
 
 /** Successive key frames, by their numbers in the file, both included. */
