@@ -61,8 +61,8 @@ bool isBetweenRooms(const Stages& stages, const LabelMap& truth, const Passage& 
 void count(Counts& counts, const Stages& stages, const LabelMap& truth) {
   for (const Passage& passage : stages.areas.passages) {
     const bool isTrue = isBetweenRooms(stages, truth, passage);
-    for (Count* one : {&counts.bySteps[int(passage.evidence->confidence * kSteps)],
-                       &counts.byReasons[nameOf(passage.evidence->reason)]}) {
+    for (Count* one : {&counts.bySteps[int(passage.evidence.confidence * kSteps)],
+                       &counts.byReasons[nameOf(passage.evidence.reason)]}) {
       ++one->passages;
       one->isTrue += isTrue ? 1 : 0;
     }

@@ -66,15 +66,6 @@ TEST(GraphJson, whatIsBrokenBreaksTheSchema) {
   EXPECT_NE(complaint("/passages/0/ends/0", Json::array({1.0})), "");
   EXPECT_NE(complaint("/passages/0/confidence", 1.5), "");
   EXPECT_NE(complaint("/passages/0/evidence", "door"), "");
-  EXPECT_NE(complaint("/passages/1/evidence", "mouth"), "") << "without a confidence";
-}
-
-TEST(GraphJson, ofAnOlderProgramWithoutAreasFollowsTheSchema) {
-  Json json = Json::parse(graphJson(sampleStages()));
-  json.erase("areas");
-  EXPECT_NE(schemaComplaint(json.dump()), "") << "passages between no areas";
-  json.erase("passages");
-  EXPECT_EQ(schemaComplaint(json.dump()), "");
 }
 
 TEST(GraphJson, holdsAreasAndPassages) {
@@ -95,7 +86,9 @@ TEST(GraphJson, holdsAreasAndPassages) {
                                        {"areas", {1, 2}},
                                        {"ends", {{7.55, 0.95}, {7.65, 0.0}}},
                                        {"middle", {7.6, 0.475}},
-                                       {"width", 0.9552}}));
+                                       {"width", 0.9552},
+                                       {"confidence", 0.0},
+                                       {"evidence", "narrowing"}}));
   EXPECT_EQ(json["passages"][0]["confidence"], 0.8765);
   EXPECT_EQ(json["passages"][0]["evidence"], "wall_on_both_sides");
 }

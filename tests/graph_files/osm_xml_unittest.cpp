@@ -159,6 +159,8 @@ TEST(OsmXml, passagesSayWhatTheyJoin) {
                                 {"osmAG:from", "room_1"},
                                 {"osmAG:to", "corridor_2"},
                                 {"osmAG:type", "passage"},
+                                {"roomgraph:confidence", "0"},
+                                {"roomgraph:evidence", "narrowing"},
                                 {"width", "0.9552"}}));
 }
 

@@ -90,23 +90,11 @@ TEST(ReadGraphJson, givesAreasAndPassagesBack) {
     EXPECT_NEAR(distance(after.passages[p].from, before.passages[p].from), 0, 1e-4);
     EXPECT_NEAR(distance(after.passages[p].to, before.passages[p].to), 0, 1e-4);
     EXPECT_NEAR(after.passages[p].width, before.passages[p].width, 1e-4);
-    ASSERT_EQ(after.passages[p].evidence.has_value(), before.passages[p].evidence.has_value());
-    if (!after.passages[p].evidence) continue;  // as in files of older versions
-    EXPECT_NEAR(after.passages[p].evidence->confidence, before.passages[p].evidence->confidence,
+    EXPECT_NEAR(after.passages[p].evidence.confidence, before.passages[p].evidence.confidence,
                 1e-4);
-    EXPECT_EQ(after.passages[p].evidence->reason, before.passages[p].evidence->reason);
+    EXPECT_EQ(after.passages[p].evidence.reason, before.passages[p].evidence.reason);
   }
   EXPECT_TRUE(after.labels.empty());
-}
-
-TEST(ReadGraphJson, readsFilesOfAnOlderProgramWithoutAreas) {
-  OrderedJson json = OrderedJson::parse(graphJson(sampleStages()));
-  json.erase("areas");
-  expectOneLine(refusal(json.dump()));
-  json.erase("passages");
-  const GraphFile file = parseGraphJson(json.dump(), "x.json");
-  EXPECT_TRUE(file.areas.areas.empty());
-  EXPECT_EQ(file.graph.rooms.size(), 2u);
 }
 
 TEST(ReadGraphJson, givesTheOptionsBackAsAnIniFile) {
@@ -184,7 +172,6 @@ const std::pair<const char*, OrderedJson> kWrong[] = {
     {"/passages/0/confidence", 1.1},
     {"/passages/0/confidence", nullptr},
     {"/passages/0/evidence", "door"},
-    {"/passages/1/evidence", "mouth"},
 };
 
 TEST(ReadGraphJson, everyWrongValueIsRefusedInOneLine) {

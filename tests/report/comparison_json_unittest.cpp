@@ -66,16 +66,6 @@ TEST(ParseComparisonJson, theMarginsOfAGateAreKept) {
   EXPECT_EQ(again.gate->margins, comparison.gate->margins);
 }
 
-TEST(ParseComparisonJson, doorsOfAnEarlierVersionHaveNoRuns) {
-  std::string text = comparisonJson(sample());
-  const std::string runs = ",\"seen_in\":[\"morning\",\"evening\"],\"lost_in\":[\"west\"]";
-  ASSERT_NE(text.find(runs), std::string::npos);
-  text.replace(text.find(runs), runs.size(), "");
-  const Comparison again = parseComparisonJson(text, "comparison.json");
-  EXPECT_EQ(again.rooms[0].doors[0].to, "C1");
-  EXPECT_TRUE(again.rooms[0].doors[0].seenIn.empty());
-}
-
 TEST(ComparisonText, aNameStaysOnItsLine) {
   Comparison comparison = sample();
   const std::string before = comparisonText(comparison);

@@ -61,8 +61,8 @@ void expectOneLine(const std::string& complaint, const std::string& about) {
 TEST(ReadComparison, aWholeDocumentIsRead) { EXPECT_EQ(complaintOf(document()), ""); }
 
 TEST(ReadComparison, aKeyThatIsMissingIsNamed) {
-  // What tells the file from others, what those of earlier versions lack, and what nobody reads.
-  const std::set<std::string> mayLack{"format", "core", "program", "candidates", "asked", "inputs"};
+  // What tells the file from others, what is not always written, and what nobody reads.
+  const std::set<std::string> mayLack{"format", "core", "program", "inputs"};
   std::size_t named = 0;
   for (const Pointer& at : places()) {
     const bool isEntry = document()[at.parent_pointer()].is_array();
@@ -130,15 +130,6 @@ TEST(ReadComparison, anOptionThatThisVersionDoesNotKnowIsKept) {
   for (const UsedOption& option : read.options)
     isThere = isThere || (option.section == "teleport" && option.value == "12");
   EXPECT_TRUE(isThere);
-}
-
-TEST(ReadComparison, aGateOfAnEarlierVersionHasItsComplaintsAlone) {
-  Json json = document();
-  json["gate"].erase("candidates");
-  const Comparison read = parseComparisonJson(json.dump(), "c.json");
-  ASSERT_TRUE(read.gate);
-  EXPECT_EQ(read.gate->complaints, (std::vector<std::string>{"west: has no score"}));
-  EXPECT_TRUE(read.gate->asked.empty());
 }
 
 TEST(ReadComparison, isReadFromItsFile) {

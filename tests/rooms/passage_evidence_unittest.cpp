@@ -33,8 +33,7 @@ void fill(std::vector<std::string>& rows, int left, int top, int width, int heig
 PassageEvidence evidenceOf(const std::vector<std::string>& rows) {
   const std::vector<Passage> passages = extract(greyMap(drawn(rows, kCell)), {}).areas.passages;
   EXPECT_EQ(passages.size(), 1u);
-  return passages.empty() ? PassageEvidence{-1, PassageReason::mouth}
-                          : passages[0].evidence.value();
+  return passages.empty() ? PassageEvidence{-1, PassageReason::mouth} : passages[0].evidence;
 }
 
 /** Two rooms, with a door of so many cells in the wall between them. */
@@ -153,7 +152,7 @@ TEST(PassageEvidence, isTheSameHoweverTheMapLies) {
       std::vector<std::pair<std::string, double>> sorted;
       const Stages stages = extract(greyMap(posed), optionsOf(posed));
       for (const Passage& passage : stages.areas.passages)
-        sorted.push_back({reason(*passage.evidence), passage.evidence->confidence});
+        sorted.push_back({reason(passage.evidence), passage.evidence.confidence});
       std::sort(sorted.begin(), sorted.end());
       return sorted;
     };

@@ -116,10 +116,10 @@ class Writer {
   void addPassage(std::size_t p) {
     const Passage& passage = passages_[p];
     Members properties;
-    properties.add("passage", p).number("width", passage.width);
-    if (passage.evidence)
-      properties.number("confidence", passage.evidence->confidence)
-          .quoted("evidence", nameOf(passage.evidence->reason));
+    properties.add("passage", p)
+        .number("width", passage.width)
+        .number("confidence", passage.evidence.confidence)
+        .quoted("evidence", nameOf(passage.evidence.reason));
     addFeature(properties, "MultiPoint",
                "[" + pointText(passage.from) + "," + pointText(passage.to) + "]");
   }

@@ -101,11 +101,9 @@ std::string passageText(std::size_t id, const Passage& passage) {
             {"areas", {passage.a.index(), passage.b.index()}},
             {"ends", {pointJson(from), pointJson(to)}},
             {"middle", pointJson(midpoint(from, to))},
-            {"width", rounded(passage.width)}};
-  if (passage.evidence) {
-    json["confidence"] = rounded(passage.evidence->confidence);
-    json["evidence"] = nameOf(passage.evidence->reason);
-  }
+            {"width", rounded(passage.width)},
+            {"confidence", rounded(passage.evidence.confidence)},
+            {"evidence", nameOf(passage.evidence.reason)}};
   return lineOf(json);
 }
 

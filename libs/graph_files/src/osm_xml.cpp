@@ -147,9 +147,8 @@ class OsmWriter {
     std::string tags = tag("level", "0") + tag("name", "passage_" + std::to_string(p)) +
                        tag("osmAG:from", reference(passage.a)) +
                        tag("osmAG:to", reference(passage.b)) + tag("osmAG:type", "passage");
-    if (passage.evidence)
-      tags += tag("roomgraph:confidence", numberText(rounded(passage.evidence->confidence))) +
-              tag("roomgraph:evidence", nameOf(passage.evidence->reason));
+    tags += tag("roomgraph:confidence", numberText(rounded(passage.evidence.confidence))) +
+            tag("roomgraph:evidence", nameOf(passage.evidence.reason));
     addWay({passage.from, passage.to}, tags + tag("width", numberText(rounded(passage.width))));
   }
 

@@ -129,15 +129,13 @@ Area readArea(const JsonNode& node, std::size_t roomCount, std::size_t passageCo
   return area;
 }
 
-/** None where the file is of a program that did not tell it yet. */
-std::optional<PassageEvidence> readEvidence(const JsonNode& node) {
-  if (!node.contains("confidence") && !node.contains("evidence")) return std::nullopt;
+PassageEvidence readEvidence(const JsonNode& node) {
   const auto reason = valueOfName<PassageReason>(node["evidence"].text());
   if (!reason) throw Broken{node.place + ".evidence", "is no evidence of a passage"};
   const double confidence = node["confidence"].number();
   if (confidence < 0 || confidence > 1)
     throw Broken{node.place + ".confidence", "is not between 0 and 1"};
-  return PassageEvidence{confidence, *reason};
+  return {confidence, *reason};
 }
 
 Passage readPassage(const JsonNode& node, std::size_t areaCount) {
@@ -153,10 +151,8 @@ Passage readPassage(const JsonNode& node, std::size_t areaCount) {
           readEvidence(node)};
 }
 
-/** None where the file is of a program that did not know them yet. */
 AreaGraph readAreas(const JsonNode& top, std::size_t roomCount) {
   AreaGraph graph;
-  if (!top.contains("areas") && !top.contains("passages")) return graph;
   const auto areaNodes = top["areas"].list(), passageNodes = top["passages"].list();
   graph.areas = readNumbered(areaNodes, [&](const JsonNode& node) {
     return readArea(node, roomCount, passageNodes.size());
@@ -183,9 +179,8 @@ GraphFile readTop(const JsonNode& top) {
   file.options = readOptions(top["options"]);
   file.graph = readGraph(top);
   file.areas = readAreas(top, file.graph.rooms.size());
-  if (top.contains("areas"))
-    for (const JsonNode& node : top["areas"].list())
-      if (node.contains("name")) file.areaNames.push_back(node["name"].text());
+  for (const JsonNode& node : top["areas"].list())
+    if (node.contains("name")) file.areaNames.push_back(node["name"].text());
   if (!file.areaNames.empty() && file.areaNames.size() != file.areas.areas.size())
     throw Broken{"areas", "have names, but not all of them"};
   file.notes = mapped(top["notes"].list(), readNote);

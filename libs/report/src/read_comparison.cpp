@@ -29,11 +29,6 @@ std::vector<std::string> texts(const JsonNode& node) {
   return mapped(node.list(), &JsonNode::text);
 }
 
-/** Files of an earlier version have none. */
-std::vector<std::string> textsIfAny(const JsonNode& node, const char* key) {
-  return node.contains(key) ? texts(node[key]) : std::vector<std::string>();
-}
-
 std::size_t count(const JsonNode& node) { return node.countBelow(1'000'000'000); }
 
 Transform2D pose(const JsonNode& node) {
@@ -72,12 +67,10 @@ std::optional<RunScore> score(const JsonNode& node) {
   score.share = node["shared_walls"].number();
   score.support = node["compared_walls"].number(), score.others = count(node["others"]);
   score.trust = node["trust"].number();
-  // Files of an earlier version have none of these.
-  if (node.contains("confirmed")) score.confirmed = node["confirmed"].number();
-  if (node.contains("contradicted")) score.contradicted = node["contradicted"].number();
-  if (node.contains("jitter_m")) score.jitter = node["jitter_m"].number();
-  if (node.contains("scale")) score.scale = node["scale"].number();
-  if (node.contains("scale_disputed")) score.isScaleDisputed = isTrue(node["scale_disputed"]);
+  score.confirmed = node["confirmed"].number();
+  score.contradicted = node["contradicted"].number();
+  score.jitter = node["jitter_m"].number(), score.scale = node["scale"].number();
+  score.isScaleDisputed = isTrue(node["scale_disputed"]);
   score.isMeaningful = isTrue(node["meaningful"]);
   return score;
 }
@@ -164,7 +157,7 @@ SiteRoom room(const JsonNode& node) {
   for (const JsonNode& door : node["doors"].list())
     room.doors.push_back({readPlace(door), door["width"].number(),
                           door["to"].json.is_null() ? "" : door["to"].text(),
-                          textsIfAny(door, "seen_in"), textsIfAny(door, "lost_in")});
+                          texts(door["seen_in"]), texts(door["lost_in"])});
   room.runs = mapped(node["runs"].list(), roomInRun);
   return room;
 }
@@ -181,12 +174,8 @@ UsedOption option(const std::string& section, const std::string& name, const Jso
 
 std::optional<GateVerdict> gate(const JsonNode& node) {
   if (node.json.is_null()) return std::nullopt;
-  const std::vector<std::string> complaints = texts(node["complaints"]);
-  // Files of earlier versions have these alone.
-  if (!node.contains("candidates") || !node.contains("asked"))
-    return GateVerdict{complaints, {}, {}};
-  return GateVerdict{complaints, texts(node["candidates"]), texts(node["asked"]),
-                     textsIfAny(node, "margins")};
+  return GateVerdict{texts(node["complaints"]), texts(node["candidates"]), texts(node["asked"]),
+                     texts(node["margins"])};
 }
 
 Comparison comparison(const JsonNode& top) {
@@ -194,7 +183,7 @@ Comparison comparison(const JsonNode& top) {
     throw Broken{"version", "is not 1, the only one this program reads"};
   Comparison result;
   result.reference = ifAny(top["reference"], [](const JsonNode& name) { return name.text(); });
-  result.core = textsIfAny(top, "core");
+  if (top.contains("core")) result.core = texts(top["core"]);
   result.isOneDrive = top.contains("one_drive") && isTrue(top["one_drive"]);
   result.runs = mapped(top["runs"].list(), run);
   result.pairs = mapped(top["pairs"].list(), pair);

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "roomgraph/base/Ids.h"
@@ -46,7 +45,7 @@ struct Passage {
   AreaId a, b;       ///< the smaller one first
   Point from, to;    ///< its two ends, which are obstacles [m, map frame]
   double width = 0;  ///< distance of its ends [m]
-  std::optional<PassageEvidence> evidence = {};  ///< none where a file of older versions has none
+  PassageEvidence evidence = {};
   [[nodiscard]] Point middle() const { return midpoint(from, to); }  ///< [m, map frame]
 };
 
