@@ -44,8 +44,6 @@ class Hall {
   }
 
  private:
-  // Between vertices
-
   /** A way between two: along the ways out of both, if border vertices, and straight between. */
   struct Link {
     double length;
@@ -134,8 +132,6 @@ class Hall {
     dijkstra_shortest_paths(lengths, start.index(), boost::distance_map(lengthsTo.data()));
     return lengthsTo;
   }
-
-  // To places
 
   void reachPlaces() {
     std::vector<Place> places = openFloor();
