@@ -120,8 +120,8 @@ std::string sentenceOf(const RunCheck& check, bool isRefuted) {
   const bool isSound = *check.selfError < kBreakShift && check.breaks.empty() &&
                        check.doubled.empty() && check.welded.empty();
   return formatted(
-      "%s %.2f m where it was seen twice (%.0f %% of its path); %.0f %% was driven once, and "
-      "nothing is known of slow bends there",
+      "%s %.2f m where it was seen twice (%.0f %% of its path); nothing is known of slow bends in "
+      "the %.0f %% that was driven once, nor of what all its passes have in common",
       isSound ? "agrees with itself within" : "contradicts itself by", *check.selfError, percent,
       100 - percent);
 }
