@@ -24,10 +24,11 @@ class SeenEdge {
     if (grid_.atOrUnknown(cell) == State::occupied) return true;
     const int left = std::max(cell.x - kRim, 0);
     const int right = std::min(cell.x + kRim, grid_.frame.width - 1);
+    const std::size_t count = std::size_t(right) + 1 - std::size_t(left);
     const int top = std::min(cell.y + kRim, grid_.frame.height - 1);
     for (int y = std::max(cell.y - kRim, 0); y <= top; ++y) {
       const State* row = grid_.cells.data() + grid_.frame.index({0, y});
-      if (std::memchr(row + left, int(State::occupied), std::size_t(right - left + 1))) return true;
+      if (std::memchr(row + left, int(State::occupied), count)) return true;
     }
     return false;
   }
