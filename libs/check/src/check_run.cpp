@@ -121,7 +121,7 @@ std::string sentenceOf(const RunCheck& check, bool isRefuted) {
                        check.doubled.empty() && check.welded.empty();
   return formatted(
       "%s %.2f m where it was seen twice (%.0f %% of its path); nothing is known of slow bends in "
-      "the %.0f %% that was driven once, nor of what all its passes have in common",
+      "the %.0f %% that was driven once, nor of errors that all passes share",
       isSound ? "agrees with itself within" : "contradicts itself by", *check.selfError, percent,
       100 - percent);
 }

@@ -59,7 +59,7 @@ double meanOf(const std::vector<DrawnScale>& scales, std::size_t first, std::siz
 }
 
 /** Lets the interval hold the error by either scale, with the same margins: without what the own
- *  scale adds, and with what the other's would. The rest may lie along that, or across it. */
+ *  scale adds, and with what the other's would. What remains may point the same way, or across. */
 void extend(MapError& error, const DrawnScale& own, double ownSet, double otherSet) {
   const double added = std::abs(own.scale - 1) * own.reach;
   const double along = std::max(0.0, error.error - added);

@@ -11,12 +11,15 @@ namespace {
 /** One island has a ring corridor round it. */
 constexpr std::size_t kFewestIslands = 2;
 
-/** A place in each region. */
-std::vector<Point> placesIn(const VoronoiGraph& voronoi, const Regions& regions) {
+/** Of each region: some vertices of the diagram lie outside of their regions. */
+std::vector<Point> widestPlaces(const VoronoiGraph& voronoi, const Regions& regions) {
   std::vector<Point> places(regions.count);
-  for (std::uint32_t v = 0; v < regions.regionOf.size(); ++v)
-    if (regions.regionOf[v] != Regions::kNone)
-      places[regions.regionOf[v]] = voronoi.vertices[v].place;
+  std::vector<double> widest(regions.count, -1);
+  for (std::uint32_t v = 0; v < regions.regionOf.size(); ++v) {
+    const std::uint32_t region = regions.regionOf[v];
+    if (region == Regions::kNone || voronoi.vertices[v].clearance <= widest[region]) continue;
+    widest[region] = voronoi.vertices[v].clearance, places[region] = voronoi.vertices[v].place;
+  }
   return places;
 }
 
@@ -72,7 +75,7 @@ bool isHall(const Room& room, const std::vector<Point>& places,
 std::vector<std::uint8_t> findHalls(const VoronoiGraph& voronoi, const Regions& regions,
                                     const SplitAtDoorsOptions& options) {
   const Rooms corridors = traceRegions(voronoi, corridorsOf(regions));
-  const std::vector<Point> places = placesIn(voronoi, regions);
+  const std::vector<Point> places = widestPlaces(voronoi, regions);
   std::vector<std::uint8_t> isOne(regions.count);
   for (std::uint32_t r = regions.roomCount; r < regions.seenCount; ++r)
     isOne[r] = isHall(corridors[r], places, options) ? 1 : 0;

@@ -60,7 +60,8 @@ bool isBay(const RegionGroups& regions, const SplitAtDoorsOptions& options, std:
   return room != kNone && !isLong(regions, options, room);
 }
 
-/** The neighbour behind the widest passage; of several as wide the largest. */
+/** The neighbour behind the widest passage; of several as wide the largest, by rounding where these
+ *  are equal, too. */
 std::uint32_t hostOf(const RegionGroups& regions, const Neighbours& around) {
   double widest = 0;
   for (const auto& [other, passage] : around) widest = std::max(widest, passage.clearance);

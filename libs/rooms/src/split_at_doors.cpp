@@ -17,9 +17,9 @@ namespace {
 
 using Neighbours = RegionGroups::Neighbours;
 
-/** Joins regions through open passages of one width. The order of these does not matter: first,
- *  regions as wide as each other join; then, in rounds, each joins the widest of the others that it
- *  is open to. So a door frame goes to one of its rooms, and not to both. */
+/** Joins regions through open passages of one width. First, regions as wide as each other join;
+ *  then, in rounds, each joins the widest of the others that it is open to; of several as wide the
+ *  map's pose decides. So a door frame goes to one of its rooms, and not to both. */
 class PassageJoiner {
  public:
   PassageJoiner(RegionGroups& regions, const SplitAtDoorsOptions& options)
