@@ -25,7 +25,7 @@ int hallsOf(const Plan& plan) {
 }
 
 TEST(FindHalls, severalShelvesStandInOne) {
-  EXPECT_EQ(hallsOf(Plan(60, 46).wall(10, 11, 4, 26).wall(28, 11, 4, 26).wall(46, 11, 4, 26)), 1);
+  EXPECT_EQ(hallsOf(Plan(60, 40).wall(10, 8, 4, 26).wall(28, 8, 4, 26).wall(46, 8, 4, 26)), 1);
 }
 
 TEST(FindHalls, roundOneIslandIsACorridor) {

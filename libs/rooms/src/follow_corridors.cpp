@@ -52,9 +52,14 @@ class Chains {
 
   /** Those that are pieces of a corridor. */
   std::vector<std::uint32_t> find() && {
-    for (const auto& [region, around] : regions_.neighbours())
+    for (const auto& [region, around] : regions_.neighbours()) {
       for (const auto& [other, passage] : around)
         if (areLinked(region, other, passage.clearance)) chains_.join(region, other);
+      // Between pilasters that are thick, and two equal pieces, a leftover belongs to neither.
+      if (around.size() == 2 && regions_.elongation(region) < options_.minElongation &&
+          areLinked(around[0].first, around[1].first, narrower(around)))
+        chains_.join(around[0].first, around[1].first);
+    }
     std::vector<Chain> all(isLink_.size());
     for (const std::uint32_t region : links_) {
       Chain& chain = all[chains_.find(region)];
@@ -72,6 +77,10 @@ class Chains {
     int count = 0;
     double area = 0, radius = 0;  // of all of it, and of its largest disc
   };
+
+  static double narrower(const RegionGroups::Neighbours& two) {
+    return std::min(two[0].second.clearance, two[1].second.clearance);
+  }
 
   /** Without a door between pieces of corridor, and about as wide: a crossing is a square. */
   bool areLinked(std::uint32_t a, std::uint32_t b, double clearance) const {

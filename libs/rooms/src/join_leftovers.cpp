@@ -8,6 +8,8 @@ namespace {
 
 using Neighbours = RegionGroups::Neighbours;
 constexpr std::uint32_t kNone = Regions::kNone;
+/** Sums of areas that differ by less than this share are equal. */
+constexpr double kSameArea = 1e-6;
 
 bool isLeftover(const RegionGroups& regions, const SplitAtDoorsOptions& options,
                 std::uint32_t region) {
@@ -60,17 +62,24 @@ bool isBay(const RegionGroups& regions, const SplitAtDoorsOptions& options, std:
   return room != kNone && !isLong(regions, options, room);
 }
 
-/** The neighbour behind the widest passage; of several as wide the largest, by rounding where these
- *  are equal, too. */
+/** The neighbour behind the widest passage; of several as wide the largest. None where these are
+ *  equal, too, for then only the map's pose could decide. */
 std::uint32_t hostOf(const RegionGroups& regions, const Neighbours& around) {
   double widest = 0;
   for (const auto& [other, passage] : around) widest = std::max(widest, passage.clearance);
   std::uint32_t host = kNone;
-  for (const auto& [other, passage] : around)
-    if (passage.clearance >= widest * (1 - kSameWidth) &&
-        (host == kNone || regions.area(other) > regions.area(host)))
+  bool isTie = false;
+  for (const auto& [other, passage] : around) {
+    if (passage.clearance < widest * (1 - kSameWidth)) continue;
+    const double area = regions.area(other), best = host == kNone ? 0 : regions.area(host);
+    if (area > best * (1 + kSameArea)) {
       host = other;
-  return host;
+      isTie = false;
+    } else if (area > best * (1 - kSameArea)) {
+      isTie = true;
+    }
+  }
+  return isTie ? kNone : host;
 }
 
 /** All at once: so no order matters, and no two that are none of these are ever joined. Returns
@@ -79,7 +88,9 @@ template <class IsOne>
 bool joinAll(RegionGroups& regions, const IsOne& isOne) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> hosts;
   for (const auto& [region, around] : regions.neighbours()) {
-    if (isOne(region, around)) hosts.push_back({region, hostOf(regions, around)});
+    if (!isOne(region, around)) continue;
+    const std::uint32_t host = hostOf(regions, around);
+    if (host != kNone) hosts.push_back({region, host});
   }
   for (const auto& [region, host] : hosts) regions.join(region, host);
   return !hosts.empty();
@@ -98,6 +109,17 @@ void joinLeftovers(RegionGroups& regions, const SplitAtDoorsOptions& options) {
     while (joinAll(regions, isSmall)) {
     }
   while (joinAll(regions, isBayOf));
+}
+
+void joinDoorFrames(RegionGroups& regions, const SplitAtDoorsOptions& options,
+                    std::vector<RegionKind>& kinds) {
+  const auto isRoom = [&](const auto& way) { return kinds[way.first] == RegionKind::room; };
+  for (const auto& [region, around] : regions.neighbours()) {
+    if (around.size() != 2 || !std::all_of(around.begin(), around.end(), isRoom)) continue;
+    if (!isLeftover(regions, options, region)) continue;
+    kinds[region] = RegionKind::room;
+    regions.join(region, around.front().first);
+  }
 }
 
 }  // namespace roomgraph

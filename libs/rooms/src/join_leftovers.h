@@ -10,8 +10,12 @@ namespace roomgraph {
 /** A niche is a way where it is deeper than this [squares round its largest disc]. */
 constexpr double kDeepestAlcove = 2.5;
 
-/** Joins what is too small for an area of its own with a neighbour each; between two equal ones the
- *  map's pose decides. Needs areas. */
+/** Joins what is too small for an area of its own with a neighbour each. Needs areas. */
 void joinLeftovers(RegionGroups& regions, const SplitAtDoorsOptions& options);
+
+/** What is left over between two equal rooms is the frame of a door, and no area of its own. It
+ *  joins one of them; the map's pose decides which. */
+void joinDoorFrames(RegionGroups& regions, const SplitAtDoorsOptions& options,
+                    std::vector<RegionKind>& kinds);
 
 }  // namespace roomgraph

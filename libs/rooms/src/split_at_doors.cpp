@@ -17,9 +17,9 @@ namespace {
 
 using Neighbours = RegionGroups::Neighbours;
 
-/** Joins regions through open passages of one width. First, regions as wide as each other join;
- *  then, in rounds, each joins the widest of the others that it is open to; of several as wide the
- *  map's pose decides. So a door frame goes to one of its rooms, and not to both. */
+/** Joins regions through open passages of one width. The order of these does not matter: first,
+ *  regions as wide as each other join; then, in rounds, each joins the widest of the others that it
+ *  is open to. So a door frame goes to one of its rooms, and not to both. */
 class PassageJoiner {
  public:
   PassageJoiner(RegionGroups& regions, const SplitAtDoorsOptions& options)
@@ -69,8 +69,17 @@ class PassageJoiner {
     std::sort(pairs_.begin(), pairs_.end(), [](const Pair& p, const Pair& q) {
       return std::tie(p.region, q.hostRadius, p.host) < std::tie(q.region, p.hostRadius, q.host);
     });
-    for (const Pair& pair : pairs_)
-      if (chosen_.empty() || chosen_.back().region != pair.region) chosen_.push_back(pair);
+    for (std::size_t i = 0, end = 0; i < pairs_.size(); i = end) {
+      while (end < pairs_.size() && pairs_[end].region == pairs_[i].region) ++end;
+      std::size_t tied = i;
+      while (tied < end && pairs_[tied].hostRadius >= pairs_[i].hostRadius * (1 - kSameWidth))
+        ++tied;
+      // What lies in a door between two equal rooms stays a leftover.
+      const bool isOneHost = pairs_[i].host == pairs_[tied - 1].host;
+      if (isOneHost || !isDoorBetween(pairs_[i].host, pairs_[tied - 1].host))
+        chosen_.insert(chosen_.end(), pairs_.begin() + std::ptrdiff_t(i),
+                       pairs_.begin() + std::ptrdiff_t(tied));
+    }
     return joinChosen();
   }
 
@@ -153,6 +162,7 @@ Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
   joinLeftovers(regions, options);
   std::vector<RegionKind> kinds = regionKinds(regions, options, ownWidths(regions, isWall));
   followCorridors(regions, options, kinds);
+  joinDoorFrames(regions, options, kinds);
   // A joined region goes by the smallest of its parts, all of which are alike.
   const auto kindOf = [&](std::uint32_t v) { return kinds[v]; };
   const auto areaOf = [&](std::uint32_t v) { return regions.area(v); };

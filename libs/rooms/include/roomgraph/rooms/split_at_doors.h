@@ -39,8 +39,8 @@ namespace roomgraph {
  *  region lies, none wider than its widest aisle, and would be no longer than a room without them,
  *  as a hall with shelves or desks. All widths are free ones, between the sides of obstacle cells
  *  of size `resolution` [m], not between their centres. `minClearance` keeps passages between
- *  neighbouring cells of a wall out [m]. Equal widths are judged together; which of two
- *  equal regions takes what lies between them depends on the map's pose. O(n log n). */
+ *  neighbouring cells of a wall out [m]. Equal widths are judged together, so the order of the
+ *  edges does not matter. O(n log n). */
 [[nodiscard]] Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
                                    const std::vector<std::uint8_t>& isWall, double minClearance,
                                    double resolution, const SplitAtDoorsOptions& options);
