@@ -124,7 +124,9 @@ TEST(Geojson, passagesAreTheirTwoEnds) {
                                              {"width", 4.1},
                                              {"confidence", 0.8765},
                                              {"evidence", "wall_on_both_sides"}}));
-  EXPECT_EQ(passages[1]["properties"]["passage"], 1);
+  EXPECT_EQ(
+      passages[1]["properties"],
+      Json({{"passage", 1}, {"width", 0.9552}, {"confidence", 0.0}, {"evidence", "narrowing"}}));
 }
 
 /** nav2's loader throws at null, wherever in the properties it is. */

@@ -68,6 +68,19 @@ TEST(GraphJson, whatIsBrokenBreaksTheSchema) {
   EXPECT_NE(complaint("/passages/0/evidence", "door"), "");
 }
 
+TEST(GraphJson, areasAndPassagesAreAlwaysThere) {
+  for (const char* key : {"areas", "passages"}) {
+    Json json = Json::parse(graphJson(sampleStages()));
+    json.erase(key);
+    EXPECT_NE(schemaComplaint(json.dump()), "") << key;
+  }
+  for (const char* key : {"confidence", "evidence"}) {
+    Json json = Json::parse(graphJson(sampleStages()));
+    json["passages"][1].erase(key);
+    EXPECT_NE(schemaComplaint(json.dump()), "") << key;
+  }
+}
+
 TEST(GraphJson, holdsAreasAndPassages) {
   const Json json = Json::parse(graphJson(sampleStages()));
   ASSERT_EQ(json["areas"].size(), 3u);

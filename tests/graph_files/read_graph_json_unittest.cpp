@@ -97,6 +97,17 @@ TEST(ReadGraphJson, givesAreasAndPassagesBack) {
   EXPECT_TRUE(after.labels.empty());
 }
 
+TEST(ReadGraphJson, areasAndPassagesAreAlwaysThere) {
+  for (const char* key : {"areas", "passages"}) {
+    OrderedJson json = OrderedJson::parse(graphJson(sampleStages()));
+    json.erase(key);
+    expectOneLine(refusal(json.dump()));
+  }
+  OrderedJson json = OrderedJson::parse(graphJson(sampleStages()));
+  json["passages"][1].erase("evidence");
+  expectOneLine(refusal(json.dump()));
+}
+
 TEST(ReadGraphJson, givesTheOptionsBackAsAnIniFile) {
   Stages stages = sampleStages();
   stages.options.findRooms.minWidth = 2.25;

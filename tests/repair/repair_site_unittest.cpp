@@ -18,10 +18,11 @@ TEST(RepairSite, runsAreMendedByEachOther) {
   EXPECT_GT(repaired[1].movedMost, 1);
 }
 
-TEST(RepairSite, oneRunIsMendedByItself) {
+TEST(RepairSite, oneRunThatSawNothingTwiceStaysAsItWas) {
   const std::vector<RepairedRun> repaired = repairRuns({runs()[0]}, {});
   ASSERT_EQ(repaired.size(), 1u);
   EXPECT_EQ(repaired[0].poses.size(), runs()[0].scans.size());
+  EXPECT_EQ(repaired[0].state, RepairState::kept) << repaired[0].reason;
 }
 
 TEST(RepairSite, placesGoWithTheWallsRoundThem) {
