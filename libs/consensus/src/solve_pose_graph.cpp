@@ -15,56 +15,38 @@ namespace {
 
 constexpr int kStageSteps = 3;  // until the kernels are halved
 
-/** The pose of one node in another is as it was measured, but for the stretch of its run. */
-class RelativePose : public ceres::SizedCostFunction<3, 3, 3, 1> {
- public:
-  RelativePose(const Transform2D& measured, const PoseNoise& noise)
-      : measured_(measured), noise_(noise) {}
+/** An angle up to whole periods [rad], within half of one; with the derivatives of Ceres. */
+template <typename T>
+T upTo(double period, const T& angle) {
+  using std::floor;
+  return angle - period * floor(angle / period + 0.5);
+}
 
-  bool Evaluate(double const* const* poses, double* residuals, double** jacobians) const override {
-    const double *a = poses[0], *b = poses[1];
-    const double c = std::cos(a[2]), s = std::sin(a[2]), x = b[0] - a[0], y = b[1] - a[1];
-    const double place = 1 / noise_.place, turn = 1 / noise_.turn;
-    const double stretch = poses[2][0];
-    residuals[0] = place * (c * x + s * y - stretch * measured_.x);
-    residuals[1] = place * (-s * x + c * y - stretch * measured_.y);
-    residuals[2] = turn * wrappedAngle(b[2] - a[2] - measured_.phi);
-    if (!jacobians) return true;
-    if (double* j = jacobians[0]) {
-      j[0] = -c * place, j[1] = -s * place, j[2] = (-s * x + c * y) * place;
-      j[3] = s * place, j[4] = -c * place, j[5] = (-c * x - s * y) * place;
-      j[6] = 0, j[7] = 0, j[8] = -turn;
-    }
-    if (double* j = jacobians[1]) {
-      j[0] = c * place, j[1] = s * place, j[2] = 0;
-      j[3] = -s * place, j[4] = c * place, j[5] = 0;
-      j[6] = 0, j[7] = 0, j[8] = turn;
-    }
-    if (double* j = jacobians[2])
-      j[0] = -place * measured_.x, j[1] = -place * measured_.y, j[2] = 0;
+/** The pose of one node in another is as it was measured, but for the stretch of its run. */
+struct RelativePose {
+  Transform2D measured;
+  PoseNoise noise;
+
+  template <typename T>
+  bool operator()(const T* a, const T* b, const T* stretch, T* residuals) const {
+    using std::cos, std::sin;
+    const T c = cos(a[2]), s = sin(a[2]), x = b[0] - a[0], y = b[1] - a[1];
+    residuals[0] = (c * x + s * y - *stretch * measured.x) / noise.place;
+    residuals[1] = (c * y - s * x - *stretch * measured.y) / noise.place;
+    residuals[2] = upTo(2 * M_PI, b[2] - a[2] - measured.phi) / noise.turn;
     return true;
   }
-
- private:
-  Transform2D measured_;
-  PoseNoise noise_;
 };
 
 /** The axes of a node lie along those of the building, up to quarter turns. */
-class AlongAxes : public ceres::SizedCostFunction<1, 3, 1> {
- public:
-  explicit AlongAxes(double turn) : turn_(turn) {}
+struct AlongAxes {
+  double turn;
 
-  bool Evaluate(double const* const* values, double* residuals, double** jacobians) const override {
-    residuals[0] = axesAngle(values[0][2] + turn_ - values[1][0]) / fitted::kAxesTurn;
-    if (!jacobians) return true;
-    if (double* j = jacobians[0]) j[0] = 0, j[1] = 0, j[2] = 1 / fitted::kAxesTurn;
-    if (double* j = jacobians[1]) j[0] = -1 / fitted::kAxesTurn;
+  template <typename T>
+  bool operator()(const T* pose, const T* direction, T* residual) const {
+    *residual = upTo(M_PI / 2, pose[2] + turn - *direction) / fitted::kAxesTurn;
     return true;
   }
-
- private:
-  double turn_;
 };
 
 /** The links of a run are about as long as drawn. */
@@ -154,18 +136,21 @@ class Solver {
     const EdgeTerm term = termOf(graph_, edge, trust_);
     const Transform2D drawn{edge.measured.x / stretch, edge.measured.y / stretch,
                             edge.measured.phi};
-    problem_.AddResidualBlock(new RelativePose(drawn, term.noise), kernel(term.width, term.weight),
-                              values_[edge.from].data(), values_[edge.to].data(), &stretch);
+    problem_.AddResidualBlock(new ceres::AutoDiffCostFunction<RelativePose, 3, 3, 3, 1>(
+                                  new RelativePose{drawn, term.noise}),
+                              kernel(term.width, term.weight), values_[edge.from].data(),
+                              values_[edge.to].data(), &stretch);
   }
 
   void addAxes(NodeId node) {
     const auto pair = wallAxes_.ofNode[node];
     if (!pair) return;
     const ScanAxes& axes = *graph_.nodes[node].axes;
-    problem_.AddResidualBlock(new AlongAxes(axes.turn),
-                              new ceres::ScaledLoss(new ceres::TukeyLoss(fitted::kAxesWidth),
-                                                    axes.weight, ceres::TAKE_OWNERSHIP),
-                              values_[node].data(), &axes_[*pair]);
+    problem_.AddResidualBlock(
+        new ceres::AutoDiffCostFunction<AlongAxes, 1, 3, 1>(new AlongAxes{axes.turn}),
+        new ceres::ScaledLoss(new ceres::TukeyLoss(fitted::kAxesWidth), axes.weight,
+                              ceres::TAKE_OWNERSHIP),
+        values_[node].data(), &axes_[*pair]);
   }
 
   /** Keeps in place what nothing else would. */
