@@ -12,7 +12,7 @@ constexpr double kShallow = 0.2, kDeep = 0.5;
 constexpr double kBentNoise = 0.4;  // how far apart the same wall lies in bent maps [m]
 
 /** The sums over wall points, and of n nT over those that were found. */
-struct Sums {
+struct FoundSums {
   double close = 0, loose = 0, slightly = 0, contradicted = 0, known = 0, all = 0;
   double xx = 0, xy = 0, yy = 0;
 
@@ -41,12 +41,12 @@ struct Sums {
 };
 
 void lookUpAll(const WallMap& map, const WallMap& other, const Transform2D& pose, const Look& look,
-               double turn, Sums& sums) {
+               double turn, FoundSums& sums) {
   const std::size_t stride = strideOf(map, look.verifyPoints);
   if (stride == 0) return;
   const double length = double(stride) * map.wallSpacing();
   const Motion2D motion(pose);
-  Sums part;
+  FoundSums part;
   for (std::size_t i = 0; i < map.walls.size(); i += stride)
     part.lookUp(other, motion(map.walls[i].place), motion.turned(map.walls[i].normal), length,
                 look.noise);
@@ -91,7 +91,7 @@ double commonArea(const WallMap& map, const FreeCount& count) {
 AlignmentEvidence verifyAlignment(const WallMap& a, const WallMap& b, const Transform2D& pose,
                                   const Look& look) {
   const Transform2D back = pose.inverse();
-  Sums sums;
+  FoundSums sums;
   lookUpAll(b, a, pose, look, 0, sums);
   lookUpAll(a, b, back, look, pose.phi, sums);
   AlignmentEvidence e;

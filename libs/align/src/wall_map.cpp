@@ -121,7 +121,7 @@ std::vector<WallPoint> thinned(const std::vector<WallPoint>& sides, const GridFr
   return points;
 }
 
-bool isEdge(const Grid& grid, Cell c) {
+bool isWallEdge(const Grid& grid, Cell c) {
   return grid.at(c) == State::occupied && grid.countBeside(c, State::occupied) < 4;
 }
 
@@ -135,7 +135,8 @@ DrawnEdges edgesOf(const Grid& grid) {
       from.origin + from.resolution * Point{double(known.low.x), double(known.low.y)};
   edges.frame.width = known.width(), edges.frame.height = known.height();
   for (int y = known.low.y; y <= known.high.y; ++y)
-    for (int x = known.low.x; x <= known.high.x; ++x) edges.isEdge.push_back(isEdge(grid, {x, y}));
+    for (int x = known.low.x; x <= known.high.x; ++x)
+      edges.isEdge.push_back(isWallEdge(grid, {x, y}));
   return edges;
 }
 

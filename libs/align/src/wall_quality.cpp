@@ -73,7 +73,7 @@ std::vector<std::uint8_t> stepsTo(State state, const Grid& grid, std::uint8_t mo
   return steps;
 }
 
-bool isEdge(const Grid& grid, Cell c) {
+bool isFrayed(const Grid& grid, Cell c) {
   return grid.at(c) == State::free && grid.countBeside(c, State::free) < 4;
 }
 
@@ -144,7 +144,7 @@ std::optional<double> wallSharpness(const Grid& grid) {
   for (int y = 0; y < grid.frame.height; ++y)
     for (int x = 0; x < grid.frame.width; ++x) {
       const std::size_t i = grid.frame.index({x, y});
-      edge += toWall[i] <= reach && isEdge(grid, {x, y});
+      edge += toWall[i] <= reach && isFrayed(grid, {x, y});
       walls += grid.at({x, y}) == State::occupied && toFree[i] <= reach;
     }
   if (edge == 0 || walls == 0) return std::nullopt;

@@ -154,13 +154,13 @@ class Problem {
   std::vector<double> mostShare_;
 };
 
-struct Solution {
+struct ErrorSolution {
   VectorXd x;
   double cost = 0;
 };
 
 /** Levenberg and Marquardt. */
-Solution solve(const Problem& problem, VectorXd x) {
+ErrorSolution solve(const Problem& problem, VectorXd x) {
   Problem::Linearised here = problem.linearise(x);
   double damping = 1e-3;
   for (int i = 0; i < 200 && damping < 1e6; ++i) {
@@ -202,8 +202,8 @@ std::vector<std::optional<MapError>> estimateMapErrors(
   std::vector<std::optional<MapError>> errors(bends.things());
   if (bends.things() < 2) return errors;
   const Problem problem(bends, deviations, truth);
-  Solution best = solve(problem, problem.startFromBends());
-  const Solution other = solve(problem, problem.startFromDeviations());
+  ErrorSolution best = solve(problem, problem.startFromBends());
+  const ErrorSolution other = solve(problem, problem.startFromDeviations());
   if (other.cost < best.cost) best = other;
   MatrixXd h = problem.linearise(best.x).h;
   h.diagonal().array() += 1e-3;  // for what nothing tells

@@ -11,7 +11,7 @@ namespace roomgraph {
 namespace {
 
 /** Successive nodes of a run whose walls lie along the same axes, as the run has drawn them. */
-struct Stretch {
+struct AlignedStretch {
   std::vector<NodeId> nodes;
   bool isWholeRun = false;
 };
@@ -52,7 +52,7 @@ bool doAxesTurn(const PoseGraph& graph, const NodePoses& drawn, const std::vecto
 }
 
 void addStretches(const PoseGraph& graph, const NodePoses& drawn, const GraphRun& run,
-                  std::vector<Stretch>& stretches) {
+                  std::vector<AlignedStretch>& stretches) {
   std::vector<NodeId> nodes;
   for (const NodeId node : run.nodes)
     if (graph.nodes[node].axes) nodes.push_back(node);
@@ -73,17 +73,18 @@ double axesAngle(double angle) { return wrappedAngle(4 * angle) / 4; }
 
 WallAxes wallAxes(const PoseGraph& graph, const NodePoses& start) {
   WallAxes axes{1, ById<NodeId, std::optional<std::size_t>>(graph.nodes.size())};
-  std::vector<Stretch> stretches;
+  std::vector<AlignedStretch> stretches;
   const NodePoses drawn = graph.ownPoses();
   for (const GraphRun& run : graph.runs) addStretches(graph, drawn, run, stretches);
   if (stretches.empty()) return axes;
-  const auto directionOf = [&](const Stretch& stretch) {
+  const auto directionOf = [&](const AlignedStretch& stretch) {
     return commonAxes(graph, start, stretch.nodes).direction;
   };
   const double most = directionOf(*std::max_element(
-      stretches.begin(), stretches.end(),
-      [](const Stretch& l, const Stretch& r) { return l.nodes.size() < r.nodes.size(); }));
-  for (const Stretch& stretch : stretches) {
+      stretches.begin(), stretches.end(), [](const AlignedStretch& l, const AlignedStretch& r) {
+        return l.nodes.size() < r.nodes.size();
+      }));
+  for (const AlignedStretch& stretch : stretches) {
     const bool isOfMost =
         stretch.isWholeRun || std::abs(axesAngle(directionOf(stretch) - most)) <= fitted::kAxesJump;
     const std::size_t own = isOfMost ? 0 : axes.count++;

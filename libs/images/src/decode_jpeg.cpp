@@ -14,17 +14,17 @@ namespace {
 constexpr std::uint64_t kMostPixelsPerByte = 2048;
 
 /** libjpeg's state and the way back from its errors. */
-struct Decoder {
+struct JpegDecoder {
   jpeg_decompress_struct jpeg{};
   jpeg_error_mgr errors{};
   std::jmp_buf onError;
   std::vector<std::uint8_t> row, grey;
 
-  ~Decoder() { jpeg_destroy_decompress(&jpeg); }
+  ~JpegDecoder() { jpeg_destroy_decompress(&jpeg); }
 };
 
 [[noreturn]] void giveUp(j_common_ptr jpeg) {
-  std::longjmp(static_cast<Decoder*>(jpeg->client_data)->onError, 1);
+  std::longjmp(static_cast<JpegDecoder*>(jpeg->client_data)->onError, 1);
 }
 
 /** Warnings have negative levels: libjpeg fills in what is missing with grey. */
@@ -33,7 +33,7 @@ void onMessage(j_common_ptr jpeg, int level) {
 }
 
 /** Holds nothing that a jump could leak. */
-bool readHeader(Decoder& d, ByteView bytes) {
+bool readHeader(JpegDecoder& d, ByteView bytes) {
   d.jpeg.err = jpeg_std_error(&d.errors);
   d.errors.error_exit = giveUp;
   d.errors.emit_message = onMessage;
@@ -44,7 +44,7 @@ bool readHeader(Decoder& d, ByteView bytes) {
   return jpeg_read_header(&d.jpeg, TRUE) == JPEG_HEADER_OK;
 }
 
-void readRow(Decoder& d) {
+void readRow(JpegDecoder& d) {
   JSAMPROW row = d.row.data();
   jpeg_read_scanlines(&d.jpeg, &row, 1);
   const auto channels = std::size_t(d.jpeg.output_components);
@@ -54,7 +54,7 @@ void readRow(Decoder& d) {
   }
 }
 
-bool readRows(Decoder& d) {
+bool readRows(JpegDecoder& d) {
   if (setjmp(d.onError)) return false;
   d.jpeg.out_color_space = d.jpeg.num_components == 1 ? JCS_GRAYSCALE : JCS_RGB;
   jpeg_start_decompress(&d.jpeg);
@@ -63,7 +63,7 @@ bool readRows(Decoder& d) {
   return true;
 }
 
-void openJpeg(Decoder& d, ByteView bytes, const std::string& file) {
+void openJpeg(JpegDecoder& d, ByteView bytes, const std::string& file) {
   if (!readHeader(d, bytes))
     refuse(file, "it is damaged: it is not a whole jpeg", kSavePictureAgain);
   const J_COLOR_SPACE space = d.jpeg.jpeg_color_space;
@@ -79,13 +79,13 @@ bool isJpeg(ByteView head) {
 }
 
 JpegHeader readJpegHeader(ByteView jpeg, const std::string& file) {
-  Decoder d;
+  JpegDecoder d;
   openJpeg(d, jpeg, file);
   return {d.jpeg.image_width, d.jpeg.image_height};
 }
 
 std::vector<std::uint8_t> decodeJpeg(ByteView jpeg, const std::string& file) {
-  Decoder d;
+  JpegDecoder d;
   openJpeg(d, jpeg, file);
   const std::uint64_t pixels = std::uint64_t(d.jpeg.image_width) * d.jpeg.image_height;
   if (pixels / kMostPixelsPerByte > jpeg.size)

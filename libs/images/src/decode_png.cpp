@@ -19,7 +19,7 @@ std::uint32_t bigEndian(const std::uint8_t* p) {
 }
 
 /** Everything that libpng's jumps must not skip the destructors of. */
-struct Decoder {
+struct PngDecoder {
   png_structp png = nullptr;
   png_infop info = nullptr;
   ByteView left;
@@ -27,7 +27,7 @@ struct Decoder {
   std::unique_ptr<std::uint8_t[]> raw;
   std::vector<png_bytep> rows;
 
-  ~Decoder() { png_destroy_read_struct(&png, &info, nullptr); }
+  ~PngDecoder() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
 void readBytes(png_structp png, png_bytep out, std::size_t count) {
@@ -65,7 +65,7 @@ void convertToClear(const std::uint8_t* row, const RowFormat& format, std::uint8
 }
 
 /** 8 bits for each of 1 to 4 channels. */
-void prepareGrey(Decoder& d, RowFormat&) {
+void prepareGrey(PngDecoder& d, RowFormat&) {
   png_set_expand(d.png);
   png_set_scale_16(d.png);
 }
@@ -89,7 +89,7 @@ void convertToLabels(const std::uint8_t* row, const RowFormat& format, std::uint
 }
 
 /** Greys as they are stored, in 8 or 16 bits; palettes as their colours. */
-void prepareLabels(Decoder& d, RowFormat& format) {
+void prepareLabels(PngDecoder& d, RowFormat& format) {
   png_set_packing(d.png);
   if (png_get_color_type(d.png, d.info) & PNG_COLOR_MASK_COLOR) {
     png_set_expand(d.png);
@@ -102,14 +102,14 @@ void prepareLabels(Decoder& d, RowFormat& format) {
 
 template <class Pixel>
 struct Conversion {
-  void (*prepare)(Decoder& d, RowFormat& format);
+  void (*prepare)(PngDecoder& d, RowFormat& format);
   void (*convertRow)(const std::uint8_t* row, const RowFormat& format, Pixel* out);
 };
 
 /** Appends the rows from the top. False where libpng gives up. Holds nothing that a jump could
  *  leak. */
 template <class Pixel>
-bool decode(Decoder& d, const Conversion<Pixel>& conversion, std::vector<Pixel>& pixels) {
+bool decode(PngDecoder& d, const Conversion<Pixel>& conversion, std::vector<Pixel>& pixels) {
   if (setjmp(png_jmpbuf(d.png))) return false;
   // Texts, profiles and the like may be packed, too, and are of no use here.
   constexpr int kAllButPixels = -1;
@@ -144,7 +144,7 @@ template <class Pixel>
 std::vector<Pixel> decodeAll(ByteView png, const Conversion<Pixel>& conversion,
                              const std::string& file) {
   std::vector<Pixel> pixels;
-  Decoder decoder;
+  PngDecoder decoder;
   decoder.left = png;
   decoder.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, onError, onWarning);
   if (decoder.png) decoder.info = png_create_info_struct(decoder.png);

@@ -16,7 +16,7 @@ void append(png_structp png, png_bytep data, png_size_t size) {
 void noFlush(png_structp) {}
 
 /** Memory is all that libpng can run out of here; its own way out is a jump over destructors. */
-[[noreturn]] void onError(png_structp, png_const_charp) { throw std::bad_alloc(); }
+[[noreturn]] void throwOnError(png_structp, png_const_charp) { throw std::bad_alloc(); }
 
 void noWarning(png_structp, png_const_charp) {}
 
@@ -24,7 +24,7 @@ void noWarning(png_structp, png_const_charp) {}
 class Encoder {
  public:
   Encoder(int width, int height, int depth, int type) {
-    png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, onError, noWarning);
+    png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, throwOnError, noWarning);
     if (!png_) throw std::bad_alloc();
     info_ = png_create_info_struct(png_);
     if (!info_) {

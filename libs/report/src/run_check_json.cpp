@@ -10,7 +10,7 @@
 namespace roomgraph {
 namespace {
 
-Json breakJson(const MapBreak& tear) {
+Json ownBreakJson(const MapBreak& tear) {
   return {{"key_frame", orNull(tear.keyFrame)},
           {"time", orNull(tear.time)},
           {"x", rounded(tear.place.x)},
@@ -19,7 +19,7 @@ Json breakJson(const MapBreak& tear) {
           {"shift_m", tear.torn ? Json(rounded(tear.shift)) : Json()}};
 }
 
-Json poseJson(const CheckedPose& at) {
+Json checkedPoseJson(const CheckedPose& at) {
   return {{"key_frame", at.keyFrame},         {"time", orNull(at.time)},
           {"x", rounded(at.pose.x)},          {"y", rounded(at.pose.y)},
           {"phi", rounded(at.pose.phi)},      {"agreed_x", rounded(at.agreed.x)},
@@ -72,11 +72,11 @@ std::string runCheckJson(const RunCheck& check) {
   document.add("self_error_high_m", metres(check.high));
   document.add("seen_twice", rounded(check.seenTwice));
   document.add("confirmed", check.isConfirmed);
-  document.addList("breaks", check.breaks, breakJson);
+  document.addList("breaks", check.breaks, ownBreakJson);
   document.addList("doubled", check.doubled, doubledJson);
   document.addList("welded", check.welded, weldedJson);
   document.addList("evidence", check.evidence, evidenceJson);
-  document.addList("path", check.path, poseJson);
+  document.addList("path", check.path, checkedPoseJson);
   document.add("sentence", toldText(check));
   return std::move(document).text();
 }

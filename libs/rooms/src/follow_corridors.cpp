@@ -31,8 +31,8 @@ void joinPieces(RegionGroups& regions, const SplitAtDoorsOptions& options,
 }
 
 /** Narrower than halls are: the wider it is, the longer it has to be. */
-bool isNarrow(const RegionGroups& regions, const SplitAtDoorsOptions& options,
-              std::uint32_t region) {
+bool hasCorridorWidth(const RegionGroups& regions, const SplitAtDoorsOptions& options,
+                      std::uint32_t region) {
   const double length = std::min(1.0, regions.elongation(region) / options.maxElongation);
   const double widest = std::max(options.maxWidth, options.maxCorridorWidth * length);
   return 2 * regions.radius(region) * (1 + kSameWidth) < widest;
@@ -46,7 +46,8 @@ class Chains {
          const std::vector<RegionKind>& kinds)
       : regions_(regions), options_(options), chains_(kinds.size()), isLink_(kinds.size()) {
     for (std::uint32_t v = 0; v < kinds.size(); ++v)
-      if (kinds[v] == RegionKind::room && regions.find(v) == v && isNarrow(regions, options, v))
+      if (kinds[v] == RegionKind::room && regions.find(v) == v &&
+          hasCorridorWidth(regions, options, v))
         links_.push_back(v), isLink_[v] = 1;
   }
 
@@ -116,7 +117,8 @@ class Pieces {
          const std::vector<RegionKind>& kinds)
       : regions_(regions), options_(options), kinds_(kinds), mayBe_(kinds.size()) {
     for (std::uint32_t v = 0; v < kinds.size(); ++v)
-      if (kinds[v] == RegionKind::room && regions.find(v) == v && isNarrow(regions, options, v))
+      if (kinds[v] == RegionKind::room && regions.find(v) == v &&
+          hasCorridorWidth(regions, options, v))
         found_.push_back(v);
     for (const std::uint32_t v : found_) mayBe_[v] = 1;
   }

@@ -7,7 +7,6 @@ namespace roomgraph {
 namespace {
 
 using Neighbours = RegionGroups::Neighbours;
-constexpr std::uint32_t kNone = Regions::kNone;
 /** Sums of areas that differ by less than this share are equal. */
 constexpr double kSameArea = 1e-6;
 
@@ -33,12 +32,12 @@ bool isLong(const RegionGroups& regions, const SplitAtDoorsOptions& options, std
 std::uint32_t openTo(const RegionGroups& regions, const SplitAtDoorsOptions& options,
                      std::uint32_t region, const Neighbours& around) {
   const double width = options.maxRatio * regions.radius(region) * (1 - kSameWidth);
-  std::uint32_t found = kNone;
+  std::uint32_t found = Regions::kNone;
   for (const auto& [other, passage] : around) {
     if (passage.clearance < width) continue;
     const bool isShort = passage.count > 1 || regions.elongation(region) <= kDeepestAlcove;
     const bool isWider = regions.radius(region) < regions.radius(other) * (1 - kSameWidth);
-    if (found != kNone || !isShort || !isWider) return kNone;
+    if (found != Regions::kNone || !isShort || !isWider) return Regions::kNone;
     found = other;
   }
   return found;
@@ -49,7 +48,7 @@ std::uint32_t openTo(const RegionGroups& regions, const SplitAtDoorsOptions& opt
 bool isAlcove(const RegionGroups& regions, const SplitAtDoorsOptions& options, std::uint32_t region,
               const Neighbours& around) {
   return around.size() == 1 && isNarrow(regions, options, region) &&
-         openTo(regions, options, region, around) != kNone;
+         openTo(regions, options, region, around) != Regions::kNone;
 }
 
 /** A wider one that opens into a room; all other ways out of it are doors. What opens into a
@@ -59,7 +58,7 @@ bool isBay(const RegionGroups& regions, const SplitAtDoorsOptions& options, std:
   if (isNarrow(regions, options, region) || regions.wallShare(region) < options.minWallShare)
     return false;
   const std::uint32_t room = openTo(regions, options, region, around);
-  return room != kNone && !isLong(regions, options, room);
+  return room != Regions::kNone && !isLong(regions, options, room);
 }
 
 /** The neighbour behind the widest passage; of several as wide the largest. None where these are
@@ -67,11 +66,11 @@ bool isBay(const RegionGroups& regions, const SplitAtDoorsOptions& options, std:
 std::uint32_t hostOf(const RegionGroups& regions, const Neighbours& around) {
   double widest = 0;
   for (const auto& [other, passage] : around) widest = std::max(widest, passage.clearance);
-  std::uint32_t host = kNone;
+  std::uint32_t host = Regions::kNone;
   bool isTie = false;
   for (const auto& [other, passage] : around) {
     if (passage.clearance < widest * (1 - kSameWidth)) continue;
-    const double area = regions.area(other), best = host == kNone ? 0 : regions.area(host);
+    const double area = regions.area(other), best = host == Regions::kNone ? 0 : regions.area(host);
     if (area > best * (1 + kSameArea)) {
       host = other;
       isTie = false;
@@ -79,7 +78,7 @@ std::uint32_t hostOf(const RegionGroups& regions, const Neighbours& around) {
       isTie = true;
     }
   }
-  return isTie ? kNone : host;
+  return isTie ? Regions::kNone : host;
 }
 
 /** All at once: so no order matters, and no two that are none of these are ever joined. Returns
@@ -90,7 +89,7 @@ bool joinAll(RegionGroups& regions, const IsOne& isOne) {
   for (const auto& [region, around] : regions.neighbours()) {
     if (!isOne(region, around)) continue;
     const std::uint32_t host = hostOf(regions, around);
-    if (host != kNone) hosts.push_back({region, host});
+    if (host != Regions::kNone) hosts.push_back({region, host});
   }
   for (const auto& [region, host] : hosts) regions.join(region, host);
   return !hosts.empty();

@@ -8,8 +8,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::uint32_t kNone = Regions::kNone;
-
 /** Gives faces without a region that of a neighbour, in rounds from the regions outwards. */
 class FaceCover {
  public:
@@ -21,8 +19,8 @@ class FaceCover {
         best_(regionOf_.size()) {
     // What lies in free space and is not inside is outside.
     for (std::uint32_t v = 0; v < isHidden_.size(); ++v)
-      isHidden_[v] =
-          regionOf_[v] == kNone && (isInside[v] || !grid.isFree(voronoi.vertices[v].place));
+      isHidden_[v] = regionOf_[v] == Regions::kNone &&
+                     (isInside[v] || !grid.isFree(voronoi.vertices[v].place));
   }
 
   std::vector<std::uint32_t> run() {
@@ -35,7 +33,7 @@ class FaceCover {
  private:
   struct Offer {
     double width = 0;  // of the opening
-    std::uint32_t region = kNone;
+    std::uint32_t region = Regions::kNone;
   };
 
   void collectEdges() {
@@ -46,7 +44,8 @@ class FaceCover {
 
   /** A face may take the region of a neighbour. */
   bool isOpenTo(std::uint32_t face, std::uint32_t neighbour) const {
-    return isHidden_[face] && regionOf_[face] == kNone && regionOf_[neighbour] != kNone;
+    return isHidden_[face] && regionOf_[face] == Regions::kNone &&
+           regionOf_[neighbour] != Regions::kNone;
   }
 
   /** One round: each face takes the region behind its widest opening. */
@@ -55,7 +54,7 @@ class FaceCover {
     const auto offer = [&](const VoronoiEdge& edge, std::uint32_t to, std::uint32_t from) {
       if (!isOpenTo(to, from)) return;
       const double width = distance(voronoi_.obstacles[edge.left], voronoi_.obstacles[edge.right]);
-      if (best_[to].region == kNone) faces.push_back(to);
+      if (best_[to].region == Regions::kNone) faces.push_back(to);
       if (width > best_[to].width) best_[to] = {width, regionOf_[from]};
     };
     for (const VoronoiEdge* edge : edges_) {
@@ -64,7 +63,9 @@ class FaceCover {
     }
     for (const std::uint32_t face : faces) regionOf_[face] = best_[face].region;
     const auto isDone = [&](const VoronoiEdge* edge) {
-      const auto isOpen = [&](std::uint32_t v) { return isHidden_[v] && regionOf_[v] == kNone; };
+      const auto isOpen = [&](std::uint32_t v) {
+        return isHidden_[v] && regionOf_[v] == Regions::kNone;
+      };
       return !isOpen(edge->source) && !isOpen(edge->target);
     };
     edges_.erase(std::remove_if(edges_.begin(), edges_.end(), isDone), edges_.end());
@@ -90,9 +91,10 @@ RegionOutlines regionOutlines(const Grid& grid, const VoronoiGraph& voronoi,
   const std::vector<std::uint32_t> cover = FaceCover(grid, voronoi, isInside, regions).run();
   for (const VoronoiEdge& edge : voronoi.edges) {
     const std::uint32_t source = cover[edge.source];
-    const std::uint32_t target = edge.isInfinite() ? kNone : cover[edge.target];
+    const std::uint32_t target = edge.isInfinite() ? Regions::kNone : cover[edge.target];
     if (source == target) continue;
-    const bool isOpening = regions.of(edge.source) != kNone && regions.of(edge.target) != kNone;
+    const bool isOpening =
+        regions.of(edge.source) != Regions::kNone && regions.of(edge.target) != Regions::kNone;
     // The source lies on the left of the way from the right site to the left one.
     outlines.borders.push_back({source, target, voronoi.obstacles[edge.right],
                                 voronoi.obstacles[edge.left], isOpening ? edge.minClearance : 0,

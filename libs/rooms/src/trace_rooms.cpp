@@ -9,11 +9,10 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::uint32_t kNone = Regions::kNone;
-
 /** A Delaunay edge on the boundary of a room, which lies on its left. */
 struct BoundaryEdge {
-  std::uint32_t room = kNone, from = kNone, to = kNone;  // from and to are obstacles
+  std::uint32_t room = Regions::kNone, from = Regions::kNone,
+                to = Regions::kNone;  // from and to are obstacles
   bool isUsed = false;
 };
 
@@ -24,8 +23,8 @@ std::vector<BoundaryEdge> boundaryEdges(const VoronoiGraph& voronoi, const Regio
     // The disc of the alpha shape parts rooms, not corridors.
     if (source == target && (source >= regions.roomCount || edge.minClearance > regions.radius))
       continue;
-    if (source != kNone) boundary.push_back({source, edge.right, edge.left});
-    if (target != kNone) boundary.push_back({target, edge.left, edge.right});
+    if (source != Regions::kNone) boundary.push_back({source, edge.right, edge.left});
+    if (target != Regions::kNone) boundary.push_back({target, edge.left, edge.right});
   }
   return boundary;
 }
@@ -42,7 +41,7 @@ class RingTracer {
       : obstacles_(voronoi.obstacles),
         boundary_(boundary.size()),
         firstFrom_(obstacles_.size() + 1),
-        place_(obstacles_.size(), kNone) {
+        place_(obstacles_.size(), Regions::kNone) {
     for (const BoundaryEdge& edge : boundary) ++firstFrom_[edge.from + 1];
     std::partial_sum(firstFrom_.begin(), firstFrom_.end(), firstFrom_.begin());
     std::vector<std::uint32_t> next = firstFrom_;
@@ -105,13 +104,13 @@ class RingTracer {
       ring.reserve(open.size() - from);
       for (std::size_t i = from; i < open.size(); ++i) {
         ring.push_back(obstacles_[open[i]]);
-        place_[open[i]] = kNone;
+        place_[open[i]] = Regions::kNone;
       }
       open.resize(from);
       if (ring.size() > 2) add(std::move(ring));
     };
     for (const auto obstacle : walk_) {
-      if (place_[obstacle] != kNone) close(place_[obstacle]);
+      if (place_[obstacle] != Regions::kNone) close(place_[obstacle]);
       place_[obstacle] = std::uint32_t(open.size());
       open.push_back(obstacle);
     }
@@ -132,7 +131,7 @@ Rooms traceRegions(const VoronoiGraph& voronoi, const Regions& regions) {
   Rooms rooms(regions.count);
   for (std::uint32_t r = 0; r < regions.count; ++r) rooms[r].region = r;
   for (std::uint32_t v = 0; v < regions.regionOf.size(); ++v) {
-    if (regions.regionOf[v] == kNone) continue;
+    if (regions.regionOf[v] == Regions::kNone) continue;
     Room& room = rooms[regions.regionOf[v]];
     const VoronoiVertex& vertex = voronoi.vertices[v];
     if (vertex.clearance <= room.inscribedRadius) continue;

@@ -12,8 +12,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::uint32_t kNone = VoronoiEdge::kNoVertex;
-
 VoronoiEdge flip(VoronoiEdge edge) {
   std::swap(edge.source, edge.target);
   std::swap(edge.left, edge.right);
@@ -23,7 +21,8 @@ VoronoiEdge flip(VoronoiEdge edge) {
 /** Faces of the triangulation that go, connected with each other. */
 struct Hole {
   std::vector<std::uint32_t> obstacles;  ///< that stay, round the hole
-  std::vector<VoronoiEdge> rim;          ///< edges into the hole; the source stays, or is kNone
+  std::vector<VoronoiEdge>
+      rim;  ///< edges into the hole; the source stays, or is VoronoiEdge::kNoVertex
 };
 
 class HoleFiller {
@@ -53,10 +52,12 @@ class HoleFiller {
     }
   }
 
-  bool goes(std::uint32_t vertex) const { return vertex != kNone && goes_[vertex]; }
+  bool goes(std::uint32_t vertex) const {
+    return vertex != VoronoiEdge::kNoVertex && goes_[vertex];
+  }
 
   void keepTheRest() {
-    newOf_.assign(graph_.vertices.size(), kNone);
+    newOf_.assign(graph_.vertices.size(), VoronoiEdge::kNoVertex);
     result_.vertices.reserve(graph_.vertices.size());
     result_.edges.reserve(graph_.edges.size());
     for (std::uint32_t v = 0; v < newOf_.size(); ++v) {
@@ -129,12 +130,12 @@ class HoleFiller {
       const VoronoiEdge& edge = local.edges[it->second];
       isRim[it->second] = 1;
       entry.push_back(edge.left == rim.left ? edge.target : edge.source);
-      if (entry.back() == kNone) return false;
+      if (entry.back() == VoronoiEdge::kNoVertex) return false;
     }
     const std::vector<std::uint32_t> newOf = addInner(local, isRim, entry);
     for (std::size_t e = 0; e < local.edges.size(); ++e) {
       VoronoiEdge edge = local.edges[e];
-      if (isRim[e] || newOf[edge.source] == kNone) continue;
+      if (isRim[e] || newOf[edge.source] == VoronoiEdge::kNoVertex) continue;
       if (edge.isInfinite()) return false;
       edge.source = newOf[edge.source];
       edge.target = newOf[edge.target];
@@ -154,7 +155,7 @@ class HoleFiller {
         groups.join(local.edges[e].source, local.edges[e].target);
     std::vector<std::uint8_t> isInner(local.vertices.size());
     for (const auto v : entry) isInner[groups.find(v)] = 1;
-    std::vector<std::uint32_t> newOf(local.vertices.size(), kNone);
+    std::vector<std::uint32_t> newOf(local.vertices.size(), VoronoiEdge::kNoVertex);
     for (std::uint32_t v = 0; v < newOf.size(); ++v) {
       if (!isInner[groups.find(v)]) continue;
       newOf[v] = std::uint32_t(result_.vertices.size());
@@ -166,7 +167,7 @@ class HoleFiller {
   void addRim(VoronoiEdge edge, std::uint32_t inner) {
     const Point p = graph_.obstacles[edge.left], q = graph_.obstacles[edge.right];
     edge.target = inner;
-    if (edge.source == kNone) {  // from infinity: edges start at a vertex
+    if (edge.source == VoronoiEdge::kNoVertex) {  // from infinity: edges start at a vertex
       edge = flip(edge);
       edge.minClearance = rayClearance(q, p, result_.vertices[inner]);
     } else {
