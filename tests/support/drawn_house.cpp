@@ -8,7 +8,7 @@
 namespace roomgraph::test {
 namespace {
 
-constexpr double kCell = 0.05, kWall = 0.15, kDoor = 0.45;  // half a door
+constexpr double kHouseCell = 0.05, kHouseWall = 0.15, kDoor = 0.45;  // half a door
 
 bool isIn(const House::RoomBox& box, Point p, double more) {
   return p.x > box.low.x - more && p.x < box.high.x + more && p.y > box.low.y - more &&
@@ -22,7 +22,7 @@ State stateAt(const House& house, Point p) {
   for (const House::RoomBox& box : house.rooms)
     if (isIn(box, p, 0)) return State::free;
   for (const House::RoomBox& box : house.rooms)
-    if (isIn(box, p, kWall)) return State::occupied;
+    if (isIn(box, p, kHouseWall)) return State::occupied;
   return State::unknown;
 }
 
@@ -91,7 +91,7 @@ House house() {
 Run runOf(const House& house, const std::string& name, const Transform2D& pose) {
   const Point middle = pose({10, 5});
   const double half = 18;  // all of it, however it is turned
-  const GridFrame frame{int(2 * half / kCell), int(2 * half / kCell), kCell,
+  const GridFrame frame{int(2 * half / kHouseCell), int(2 * half / kHouseCell), kHouseCell,
                         middle - Point{half, half}};
   const Transform2D back = pose.inverse();
   Run run;

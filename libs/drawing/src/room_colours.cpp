@@ -8,8 +8,8 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::array<Colour, 6> kColours{ink::sky,    ink::orange, ink::green,
-                                         ink::purple, ink::yellow, ink::vermilion};
+constexpr std::array<Colour, 6> kRoomColours{ink::sky,    ink::orange, ink::green,
+                                             ink::purple, ink::yellow, ink::vermilion};
 constexpr double kNeighbouring = 1.0;  // [m] between the boxes of two rooms
 
 bool areNear(const Box& a, const Box& b) {
@@ -22,20 +22,20 @@ bool areNear(const Box& a, const Box& b) {
 std::vector<Colour> roomColours(const std::vector<const Polygon*>& rooms) {
   std::vector<Box> boxes;
   std::vector<std::size_t> choice;
-  std::array<int, kColours.size()> used{};
+  std::array<int, kRoomColours.size()> used{};
   for (const Polygon* room : rooms) {
     boxes.push_back(room->outer.empty() ? Box{} : boundingBox(room->outer));
-    std::array<int, kColours.size()> usedNear{};
+    std::array<int, kRoomColours.size()> usedNear{};
     for (std::size_t r = 0; r < choice.size(); ++r)
       if (areNear(boxes.back(), boxes[r])) ++usedNear[choice[r]];
     std::size_t best = 0;
-    for (std::size_t c = 1; c < kColours.size(); ++c)
+    for (std::size_t c = 1; c < kRoomColours.size(); ++c)
       if (std::make_pair(usedNear[c], used[c]) < std::make_pair(usedNear[best], used[best]))
         best = c;
     ++used[best];
     choice.push_back(best);
   }
-  return mapped(choice, [](std::size_t c) { return kColours[c]; });
+  return mapped(choice, [](std::size_t c) { return kRoomColours[c]; });
 }
 
 }  // namespace roomgraph

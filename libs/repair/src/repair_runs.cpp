@@ -45,7 +45,7 @@ void moveTo(const std::vector<Transform2D>& real, const Run& run, RepairedRun& r
 }
 
 /** A covariance along axes that are turned by `angle` from those that it is along [rad]. */
-PlanarCovariance turned(const PlanarCovariance& covariance, double angle) {
+PlanarCovariance turnedCovariance(const PlanarCovariance& covariance, double angle) {
   const auto& [xx, yy, pp, xy, xp, yp] = covariance;
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * c * xx - 2 * c * s * xy + s * s * yy,
@@ -191,7 +191,7 @@ void tellCovariances(const Consensus& consensus, std::vector<RepairedRun>& all) 
   const auto covariances = poseCovariances(consensus.graph, consensus.trust, consensus.poses, runs);
   for (std::size_t i = 0; i < mended.size(); ++i)
     for (const PlanarCovariance& sure : covariances[i])
-      mended[i]->covariances.push_back(turned(sure, mended[i]->frame.phi));
+      mended[i]->covariances.push_back(turnedCovariance(sure, mended[i]->frame.phi));
 }
 
 }  // namespace
