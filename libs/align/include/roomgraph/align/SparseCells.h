@@ -16,12 +16,13 @@ class SparseCells {
  public:
   SparseCells() = default;
   /** `usual` is the value that takes no memory. O(cells). */
-  SparseCells(const std::vector<T>& cells, T usual) : size_(cells.size()), usual_(usual) {
+  SparseCells(const std::vector<T>& cells, T usual)
+      : size_(cells.size()), values_(kStretch, usual) {
     for (std::size_t first = 0; first < cells.size(); first += kStretch) {
       const auto begin = cells.begin() + std::ptrdiff_t(first);
       const auto end = cells.begin() + std::ptrdiff_t(std::min(first + kStretch, cells.size()));
       const bool isUsual = std::all_of(begin, end, [&](const T& cell) { return cell == usual; });
-      places_.push_back(isUsual ? kNoIndex : std::uint32_t(values_.size() / kStretch));
+      places_.push_back(isUsual ? 0 : std::uint32_t(values_.size() / kStretch));
       if (isUsual) continue;
       values_.insert(values_.end(), begin, end);
       values_.resize((places_.back() + 1) * kStretch, usual);
@@ -31,17 +32,16 @@ class SparseCells {
 
   [[nodiscard]] std::size_t size() const { return size_; }  ///< cells of the map
 
+  // Without a branch, since which stretches are usual cannot be foretold.
   T operator[](std::size_t cell) const {
-    const std::uint32_t place = places_[cell / kStretch];
-    return place == kNoIndex ? usual_ : values_[place * kStretch + cell % kStretch];
+    return values_[std::size_t(places_[cell / kStretch]) * kStretch + cell % kStretch];
   }
 
  private:
   static constexpr std::size_t kStretch = 16;
 
   std::size_t size_ = 0;
-  T usual_{};
-  std::vector<std::uint32_t> places_;  // of each stretch among those that are kept
+  std::vector<std::uint32_t> places_;  // of each stretch among those that are kept, the first usual
   std::vector<T> values_;
 };
 
