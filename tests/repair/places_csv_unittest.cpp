@@ -1,9 +1,8 @@
-#include "roomgraph/repair/places_csv.h"
-
 #include <gtest/gtest.h>
 
 #include "carried_by.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/repair/places_formats.h"
 
 namespace roomgraph {
 namespace {

@@ -1,5 +1,3 @@
-#include "roomgraph/repair/places_mask.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/images/read_image.h"
 #include "roomgraph/map_files/ros_map_yaml.h"
+#include "roomgraph/repair/places_formats.h"
 
 namespace roomgraph {
 namespace {

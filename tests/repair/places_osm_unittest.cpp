@@ -1,10 +1,9 @@
-#include "roomgraph/repair/places_osm.h"
-
 #include <gtest/gtest.h>
 
 #include "carried_by.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/graph_files/OsmOrigin.h"
+#include "roomgraph/repair/places_formats.h"
 
 namespace roomgraph {
 namespace {

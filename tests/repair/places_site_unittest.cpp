@@ -2,7 +2,7 @@
 
 #include "carried_by.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/repair/places_json.h"
+#include "roomgraph/repair/places_formats.h"
 
 namespace roomgraph {
 namespace {

@@ -2,10 +2,7 @@
 
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/images/read_image.h"
-#include "roomgraph/repair/places_csv.h"
-#include "roomgraph/repair/places_json.h"
-#include "roomgraph/repair/places_mask.h"
-#include "roomgraph/repair/places_osm.h"
+#include "roomgraph/repair/places_formats.h"
 
 namespace roomgraph {
 namespace {

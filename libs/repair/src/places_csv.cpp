@@ -7,6 +7,7 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/csv_text.h"
+#include "roomgraph/repair/places_formats.h"
 #include "roomgraph/base/file_name.h"
 
 namespace roomgraph {

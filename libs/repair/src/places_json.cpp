@@ -1,5 +1,3 @@
-#include "roomgraph/repair/places_json.h"
-
 #include <cmath>
 #include <functional>
 #include <map>
@@ -8,6 +6,7 @@
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/read_document.h"
+#include "roomgraph/repair/places_formats.h"
 
 namespace roomgraph {
 namespace {

@@ -1,5 +1,3 @@
-#include "roomgraph/repair/places_mask.h"
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -16,6 +14,7 @@
 #include "roomgraph/images/png_bytes.h"
 #include "roomgraph/images/read_image.h"
 #include "roomgraph/repair/CellVotes.h"
+#include "roomgraph/repair/places_formats.h"
 
 namespace roomgraph {
 namespace {

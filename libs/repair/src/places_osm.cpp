@@ -1,5 +1,3 @@
-#include "roomgraph/repair/places_osm.h"
-
 #include <expat.h>
 
 #include <algorithm>
@@ -15,6 +13,7 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/xml_text.h"
 #include "roomgraph/graph_files/OsmOrigin.h"
+#include "roomgraph/repair/places_formats.h"
 
 // Expat 2.9 has these functions with 64 bits, too, and warns of them; Expat 2.5 has no others.
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"
