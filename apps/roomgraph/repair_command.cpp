@@ -46,8 +46,7 @@ void addRun(const Run& run, const RepairedRun& repaired, FolderFiles& files) {
 
 /** The constraints for MOLA are of all runs, mended or not: they are for another back end. */
 void addConstraints(const Run& run, const std::vector<Transform2D>& real, FolderFiles& files) {
-  files.add(mapStem(run.file) + ".loop_constraints.yaml",
-            withAuthor(molaConstraints(loopConstraints(run, real))));
+  files.add(mapStem(run.file) + ".loop_constraints.yaml", withAuthor(molaConstraints(run, real)));
 }
 
 /** The grids of what was mended, made of the simplemaps that are there now. */

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 
 #include "fitted_repair.h"
@@ -10,7 +11,8 @@
 #include "roomgraph/geometry/NearPlaces.h"
 
 namespace roomgraph {
-std::vector<LoopConstraint> loopConstraints(const Run& run, const std::vector<Transform2D>& real) {
+
+std::string molaConstraints(const Run& run, const std::vector<Transform2D>& real) {
   const std::vector<double> path = drivenWays(run.scans);
   std::vector<Point> places;
   for (const Transform2D& pose : real) places.push_back(pose.shift());
@@ -25,25 +27,16 @@ std::vector<LoopConstraint> loopConstraints(const Run& run, const std::vector<Tr
     });
   std::sort(pairs.begin(), pairs.end());
   std::vector<bool> isTaken(places.size());
-  std::vector<LoopConstraint> constraints;
+  std::map<std::size_t, std::string> lines;  // by the first scan
   for (const auto& [apart, from, to] : pairs) {
     if (isTaken[from] || isTaken[to]) continue;
     isTaken[from] = isTaken[to] = true;
-    constraints.push_back({from, to, *run.scans[from].time, *run.scans[to].time,
-                           std::hypot(fitted::kLeastSpread, apart)});
-  }
-  std::sort(constraints.begin(), constraints.end(),
-            [](const LoopConstraint& l, const LoopConstraint& r) { return l.from < r.from; });
-  return constraints;
-}
-
-std::string molaConstraints(const std::vector<LoopConstraint>& constraints) {
-  std::string text =
-      constraints.empty() ? "manual_loop_constraints: []\n" : "manual_loop_constraints:\n";
-  for (const LoopConstraint& one : constraints)
-    text += formatted(
+    lines[from] = formatted(
         "  - {timestamp_i: %.6f, timestamp_j: %.6f, sigma_xyz: %.3f, trust_as_inlier: true}\n",
-        one.fromTime, one.toTime, one.sigma);
+        *run.scans[from].time, *run.scans[to].time, std::hypot(fitted::kLeastSpread, apart));
+  }
+  std::string text = lines.empty() ? "manual_loop_constraints: []\n" : "manual_loop_constraints:\n";
+  for (const auto& [from, line] : lines) text += line;
   return text;
 }
 
