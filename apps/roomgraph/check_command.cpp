@@ -6,7 +6,6 @@
 #include "FolderFiles.h"
 #include "Laps.h"
 #include "ResultFolder.h"
-#include "UnusedOptions.h"
 #include "commands.h"
 #include "more_files.h"
 #include "option_arguments.h"

@@ -7,7 +7,6 @@
 #include "FolderFiles.h"
 #include "Laps.h"
 #include "ResultFolder.h"
-#include "UnusedOptions.h"
 #include "commands.h"
 #include "comparison_results.h"
 #include "more_files.h"

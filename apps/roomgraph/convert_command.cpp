@@ -2,7 +2,6 @@
 
 #include "FolderFiles.h"
 #include "ResultFolder.h"
-#include "UnusedOptions.h"
 #include "commands.h"
 #include "option_arguments.h"
 #include "roomgraph/base/Error.h"

@@ -5,7 +5,6 @@
 
 #include "Laps.h"
 #include "ResultFolder.h"
-#include "UnusedOptions.h"
 #include "commands.h"
 #include "option_arguments.h"
 #include "output_formats.h"

@@ -10,6 +10,7 @@
 #include "roomgraph/base/read_document.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/graph_files/read_graph_json.h"
+#include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/report/comparison_json.h"
 
 namespace roomgraph {
@@ -199,6 +200,24 @@ void declareRunning(RunningArguments& arguments, const std::string& things, cons
 
 std::string noteLines(const std::vector<MapNote>& notes, const RunningArguments& arguments) {
   return arguments.isQuiet ? warningLines(notes) : noteLines(notes, arguments.isVerbose);
+}
+
+bool UnusedOptions::take(const Note& note) {
+  if (note.code != kUnusedOption) return false;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++maps_[note.text];
+  return true;
+}
+
+std::function<void(const std::string&, const Note&)> UnusedOptions::takeOrWarn() {
+  return [this](const std::string& file, const Note& note) {
+    if (!take(note)) printWarnings(file, {note});
+  };
+}
+
+void UnusedOptions::tell(std::size_t maps) const {
+  for (const auto& [text, count] : maps_)
+    if (count == maps) printError("note: " + text);
 }
 
 ExtractOptions toOptions(const OptionArguments& arguments) {

@@ -1,6 +1,8 @@
 #pragma once
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -73,5 +75,20 @@ void declareQuiet(bool& isQuiet, CLI::App& app);
 ExtractOptions toOptions(const OptionArguments& arguments);
 /** The same for a comparison, whose options --set may set, too. */
 CompareMapsOptions toCompareOptions(const OptionArguments& arguments);
+
+/** Options that were given and that no map of a call had a use for. Used by all threads. */
+class UnusedOptions {
+ public:
+  /** Whether the note is on such an option, which then need not be told of the map. */
+  bool take(const Note& note);
+  /** Takes these, and prints the warnings among all others. */
+  std::function<void(const std::string& file, const Note&)> takeOrWarn();
+  /** A line on stderr for each option that none of so many maps has used. */
+  void tell(std::size_t maps) const;
+
+ private:
+  std::mutex mutex_;
+  std::map<std::string, std::size_t> maps_;  ///< by the text of the note
+};
 
 }  // namespace roomgraph

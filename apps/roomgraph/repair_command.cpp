@@ -4,7 +4,6 @@
 
 #include "FolderFiles.h"
 #include "ResultFolder.h"
-#include "UnusedOptions.h"
 #include "commands.h"
 #include "file_authors.h"
 #include "output_names.h"
@@ -138,9 +137,7 @@ int runAlone(const RepairArguments& arguments) {
   const SiteArguments& site = arguments.site;
   CompareMapsOptions options = toCompareOptions(site.options);
   UnusedOptions unused;
-  options.onNote = [&](const std::string& file, const Note& note) {
-    if (!unused.take(note)) printWarnings(file, {note});
-  };
+  options.onNote = unused.takeOrWarn();
   const Run run = readRun(site.files.front(), options);
   unused.tell(1);
   if (run.scans.empty()) throw DataError(run.file + ": has no scans: give a simplemap");

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <memory>
 
-#include "UnusedOptions.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/check/check_run.h"
@@ -79,9 +78,7 @@ void declareSite(SiteArguments& arguments, const std::string& results, CLI::App&
 std::unique_ptr<SolvedRuns> solveRuns(const SiteArguments& arguments) {
   CompareMapsOptions options = siteOptions(arguments);
   UnusedOptions unused;
-  options.onNote = [&](const std::string& file, const Note& note) {
-    if (!unused.take(note)) printWarnings(file, {note});
-  };
+  options.onNote = unused.takeOrWarn();
   ReadRuns read = readRuns(arguments.files, options);
   unused.tell(arguments.files.size() + (arguments.reference.empty() ? 0 : 1));
   if (!arguments.takesCopies) leaveOutCopies(read);
