@@ -38,7 +38,7 @@ class RoomGraphFile : public ::testing::Test {
 
 TEST_F(RoomGraphFile, everythingComesBack) {
   const CRoomGraph sample = sampleGraph();
-  saveRoomGraph(path_, sample);
+  write(roomGraphBytes(sample));
   const CRoomGraph back = loadRoomGraph(path_);
   EXPECT_EQ(back.file.program, "roomgraph");
   EXPECT_EQ(back.file.input.sha256, sample.file.input.sha256);
@@ -68,7 +68,7 @@ TEST_F(RoomGraphFile, everythingComesBack) {
 }
 
 TEST_F(RoomGraphFile, anEmptyGraphComesBack) {
-  saveRoomGraph(path_, CRoomGraph{});
+  write(roomGraphBytes({}));
   const CRoomGraph back = loadRoomGraph(path_);
   EXPECT_TRUE(back.file.graph.graph.vertices().empty());
   EXPECT_FALSE(back.map);

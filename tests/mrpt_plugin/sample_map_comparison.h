@@ -13,11 +13,11 @@ inline CMapComparison sampleMapComparison() {
   comparison.runs[1].pose = {0.5, -0.25, 0.1};
   for (ComparedRun& run : comparison.runs) {
     run.file = run.name + ".simplemap", run.sha256 = std::string(64, 'a'), run.resolution = 0.05;
-    sample.walls.push_back({run.name, {}});
+    std::vector<Point>& walls = sample.walls[run.name];
     for (int k = 0; k <= 80; ++k) {
       const double along = 0.05 * k;
       for (const Point wall : {Point{along, 0}, {along, 4}, {0, along}, {4, along}})
-        sample.walls.back().walls.push_back(wall);
+        walls.push_back(wall);
     }
   }
   SiteRoom room;

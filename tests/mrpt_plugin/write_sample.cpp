@@ -24,7 +24,7 @@ void print(const std::string& name, roomgraph::Colour colour) {
 
 void writeGraph(const std::string& object, const std::string& scene) {
   const roomgraph::CRoomGraph sample = roomgraph::sampleGraph();
-  roomgraph::saveRoomGraph(object, sample);
+  roomgraph::writeFileAtomically(object, roomgraph::roomGraphBytes(sample));
   roomgraph::writeFileAtomically(scene, roomgraph::sceneBytes(sample));
   for (std::size_t room = 0; room < 4; ++room)
     print("floor_" + std::to_string(room), roomgraph::roomColour(room));
@@ -36,7 +36,16 @@ void writeGraph(const std::string& object, const std::string& scene) {
 void writeComparison(const std::string& object, const std::string& scene) {
   const roomgraph::CMapComparison sample = roomgraph::test::sampleMapComparison();
   roomgraph::writeFileAtomically(object, roomgraph::mapComparisonBytes(sample));
-  roomgraph::writeFileAtomically(scene, roomgraph::comparisonSceneBytes(sample));
+  std::vector<roomgraph::Run> runs;
+  for (const auto& [name, walls] : sample.walls) {
+    roomgraph::WallMap& map = runs.emplace_back().map;
+    runs.back().name = name;
+    map.frame = {81, 81, 0.05, {-0.025, -0.025}};
+    map.states.assign(map.frame.cellCount(), roomgraph::State::free);
+    for (const roomgraph::Point wall : walls)
+      map.states[map.frame.index(map.frame.cellAt(wall))] = roomgraph::State::occupied;
+  }
+  roomgraph::writeFileAtomically(scene, roomgraph::comparisonSceneBytes(sample.comparison, runs));
   for (std::size_t run = 0; run < 2; ++run) {
     const roomgraph::Colour c = roomgraph::runColour(run);
     print("run_" + std::to_string(run), {c.red, c.green, c.blue});

@@ -6,6 +6,7 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/mrpt_plugin/draw_comparison.h"
+#include "roomgraph/mrpt_plugin/map_comparison_file.h"
 #include "roomgraph/report/comparison_json.h"
 
 IMPLEMENTS_SERIALIZABLE(CMapComparison, CSerializable, roomgraph)
@@ -48,6 +49,17 @@ void CMapComparison::serializeTo(mrpt::serialization::CArchive& out) const {
 void CMapComparison::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version) {
   readBody(in, version, kMapComparisonObject,
            [&](ByteView body) { readComparisonBytes(body, kMapComparisonObject.name, *this); });
+}
+
+std::string mapComparisonBytes(const CMapComparison& comparison) {
+  return gzippedObject(comparison);
+}
+
+CMapComparison loadMapComparison(const std::string& path) {
+  CMapComparison comparison;
+  readObjectFile(path, kMapComparisonObject,
+                 [&](ByteView body) { readComparisonBytes(body, path, comparison); });
+  return comparison;
 }
 
 }  // namespace roomgraph

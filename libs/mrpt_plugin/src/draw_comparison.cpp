@@ -183,26 +183,22 @@ std::vector<Point> wallCells(const WallMap& map) {
 }
 
 /** Of a run; null where its walls are not known. */
-const std::vector<Point>* wallsOf(const std::vector<RunWalls>& walls, const std::string& run) {
-  const auto found =
-      std::find_if(walls.begin(), walls.end(), [&](const RunWalls& one) { return one.run == run; });
-  return found == walls.end() || found->walls.empty() ? nullptr : &found->walls;
+const std::vector<Point>* wallsOf(const RunWalls& walls, const std::string& run) {
+  const auto found = walls.find(run);
+  return found == walls.end() || found->second.empty() ? nullptr : &found->second;
 }
 
 }  // namespace
 
 std::string runLayer(const std::string& run) { return "run " + run; }
 
-std::vector<RunWalls> runWalls(const std::vector<Run>& runs) {
-  std::vector<RunWalls> walls;
-  for (const Run& run : runs) walls.push_back({run.name, wallCells(run.map)});
-  // The maps of a comparison that is drawn anew may come in any order.
-  std::sort(walls.begin(), walls.end(),
-            [](const RunWalls& l, const RunWalls& r) { return l.run < r.run; });
+RunWalls runWalls(const std::vector<Run>& runs) {
+  RunWalls walls;
+  for (const Run& run : runs) walls.emplace(run.name, wallCells(run.map));
   return walls;
 }
 
-Box drawnBox(const Comparison& comparison, const std::vector<RunWalls>& walls, double turn) {
+Box drawnBox(const Comparison& comparison, const RunWalls& walls, double turn) {
   Box box;
   for (const ComparedRun& run : comparison.runs) {
     const auto* known = wallsOf(walls, run.name);
@@ -217,8 +213,8 @@ double letterHeight(const Box& box) {
   return std::clamp(0.018 * std::max(box.size().x, box.size().y), 0.4, 1.5);
 }
 
-viz::CSetOfObjects::Ptr drawComparison(const Comparison& comparison,
-                                       const std::vector<RunWalls>& walls, double turn) {
+viz::CSetOfObjects::Ptr drawComparison(const Comparison& comparison, const RunWalls& walls,
+                                       double turn) {
   auto all = setNamed("comparison");
   const Box box = drawnBox(comparison, walls, turn);
   Writer writer(letterHeight(box), turn);

@@ -40,9 +40,8 @@ class ByteWriter {
 
 const char* const kRemedy = "compare the maps again";
 
-RunWalls readWalls(ByteReader& reader) {
-  RunWalls run;
-  run.run = reader.getText();
+std::vector<Point> readWalls(ByteReader& reader) {
+  std::vector<Point> walls;
   const auto count = reader.get<std::uint32_t>();
   if (count > reader.left() / (2 * sizeof(float)))
     refuse(reader.file(), "it is cut short or damaged", kRemedy);
@@ -50,9 +49,9 @@ RunWalls readWalls(ByteReader& reader) {
     const float x = reader.get<float>(), y = reader.get<float>();
     if (!std::isfinite(x) || !std::isfinite(y))
       refuse(reader.file(), "a place in it is not a number", kRemedy);
-    run.walls.push_back({double(x), double(y)});
+    walls.push_back({double(x), double(y)});
   }
-  return run;
+  return walls;
 }
 
 const char* const kGraphRemedy = "make the room graph again from its map";
@@ -192,10 +191,10 @@ std::string comparisonBytes(const MappedComparison& comparison) {
   ByteWriter out;
   out.putText(comparisonJson(comparison.comparison));
   out.putCount(comparison.walls.size());
-  for (const RunWalls& run : comparison.walls) {
-    out.putText(run.run);
-    out.putCount(run.walls.size());
-    for (const Point wall : run.walls) {
+  for (const auto& [run, walls] : comparison.walls) {
+    out.putText(run);
+    out.putCount(walls.size());
+    for (const Point wall : walls) {
       out.put(float(wall.x));
       out.put(float(wall.y));
     }
@@ -208,7 +207,10 @@ void readComparisonBytes(ByteView bytes, const std::string& name, MappedComparis
   comparison.comparison = parseComparisonJson(reader.getText(), name);
   comparison.walls.clear();
   const auto count = reader.get<std::uint32_t>();
-  for (std::uint32_t i = 0; i < count; ++i) comparison.walls.push_back(readWalls(reader));
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::string run = reader.getText();
+    comparison.walls.emplace(run, readWalls(reader));
+  }
   if (reader.left() > 0) refuse(name, "something is left over in it", kRemedy);
 }
 

@@ -4,9 +4,8 @@
 #include <string>
 
 #include "roomgraph/base/checked_file.h"
-#include "roomgraph/mrpt_plugin/MappedComparison.h"
-#include "roomgraph/mrpt_plugin/MappedGraph.h"
-#include "roomgraph/mrpt_plugin/mrpt_compat.h"
+#include "roomgraph/mrpt_plugin/CMapComparison.h"
+#include "roomgraph/mrpt_plugin/CRoomGraph.h"
 
 namespace roomgraph {
 

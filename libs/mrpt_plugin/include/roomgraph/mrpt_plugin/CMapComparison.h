@@ -1,12 +1,23 @@
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
-#include "roomgraph/mrpt_plugin/MappedComparison.h"
+#include "roomgraph/compare/Comparison.h"
+#include "roomgraph/geometry/Point.h"
 #include "roomgraph/mrpt_plugin/mrpt_compat.h"
 #include "roomgraph/relate/Run.h"
 
 namespace roomgraph {
+
+/** The walls of runs, by name: the middles of their wall cells [m, frame of the run]. */
+using RunWalls = std::map<std::string, std::vector<Point>>;
+
+/** What a comparison of MRPT holds. */
+struct MappedComparison {
+  Comparison comparison;
+  RunWalls walls;  ///< of its runs; those without are not drawn
+};
 
 /** A comparison of maps as MRPT's programs and streams know it: it can be saved, shown as text and
  *  drawn in 3D. Registered as "roomgraph::CMapComparison" by registerMrptClasses(), or by loading

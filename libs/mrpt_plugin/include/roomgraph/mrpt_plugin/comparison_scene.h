@@ -16,15 +16,12 @@ namespace roomgraph {
 
 /** The layers of the comparison, in the frame of the site [m]: for each run a set of objects with
  *  its name, then "rooms", "room names", "breaks" and "legend", as CMapComparison draws them. The
- *  camera looks from above and is turned so that the site stands upright, as in the report; that of
- *  a CMapComparison alone, which knows no directions of walls, is not. `runs` are looked up by
- *  name: a run whose map is not among them is not drawn. O(cells). */
+ *  camera looks from above and is turned so that the site stands upright, as in the report. `runs`
+ *  are looked up by name: a run whose map is not among them is not drawn. O(cells). */
 [[nodiscard]] MrptScene comparisonScene(const Comparison& comparison, const std::vector<Run>& runs);
-[[nodiscard]] MrptScene comparisonScene(const CMapComparison& comparison);
 
 /** The bytes of a `.3Dscene` file; the same comparison gives the same bytes. */
 [[nodiscard]] std::string comparisonSceneBytes(const Comparison& comparison,
                                                const std::vector<Run>& runs);
-[[nodiscard]] std::string comparisonSceneBytes(const CMapComparison& comparison);
 
 }  // namespace roomgraph

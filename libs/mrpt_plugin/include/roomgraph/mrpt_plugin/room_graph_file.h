@@ -15,10 +15,6 @@ namespace roomgraph {
  *  @throws UsageError where the map has more or fewer cells than its frame calls for. */
 [[nodiscard]] std::string roomGraphBytes(const CRoomGraph& graph);
 
-/** Writes them, so that there is the old file or the whole new one at any time.
- *  @throws DataError with one line where the file cannot be written. */
-void saveRoomGraph(const std::string& path, const CRoomGraph& graph);
-
 /** Reads a `.roomgraph` file back, gzipped or not: the very same graph. Checksum, sizes, ids and
  *  numbers are checked before they are used, and nothing may follow the object.
  *  @throws DataError with one line (file, problem, remedy). */

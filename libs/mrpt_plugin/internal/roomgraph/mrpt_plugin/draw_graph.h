@@ -1,8 +1,6 @@
 #pragma once
 #include "roomgraph/geometry/Polygon.h"
-#include "roomgraph/grid/Grid.h"
-#include "roomgraph/mrpt_plugin/MappedGraph.h"
-#include "roomgraph/mrpt_plugin/mrpt_compat.h"
+#include "roomgraph/mrpt_plugin/CRoomGraph.h"
 
 namespace roomgraph {
 
