@@ -48,11 +48,7 @@ std::optional<CellMotion> cellMotion(const DrawnEdges& a, const DrawnEdges& b,
 
 /** The cells of some edges that are edges. */
 std::vector<Cell> edgeCells(const DrawnEdges& edges) {
-  std::vector<Cell> cells;
-  for (int y = 0; y < edges.frame.height; ++y)
-    for (int x = 0; x < edges.frame.width; ++x)
-      if (edges.isEdge[edges.frame.index({x, y})]) cells.push_back({x, y});
-  return cells;
+  return edges.frame.cellsWhere([&](Cell c) { return edges.isEdge[edges.frame.index(c)] != 0; });
 }
 
 struct Count {

@@ -33,14 +33,6 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-std::vector<Cell> occupiedCells(const Grid& grid) {
-  std::vector<Cell> cells;
-  for (int y = 0; y < grid.frame.height; ++y)
-    for (int x = 0; x < grid.frame.width; ++x)
-      if (grid.at({x, y}) == State::occupied) cells.push_back({x, y});
-  return cells;
-}
-
 void check(const WallNoise& noise) {
   if (!(noise.percent >= 0 && noise.percent <= 100))
     throw UsageError("wall noise of " + std::to_string(noise.percent) +
@@ -55,7 +47,8 @@ void check(const WallNoise& noise) {
 Grid addWallNoise(const Grid& grid, const WallNoise& noise) {
   check(noise);
   Grid noisy = grid;
-  std::vector<Cell> walls = occupiedCells(grid);
+  std::vector<Cell> walls =
+      grid.frame.cellsWhere([&](Cell c) { return grid.at(c) == State::occupied; });
   const auto count = std::size_t(std::llround(noise.percent / 100 * double(walls.size())));
   Random random(noise.seed);
   for (std::size_t i = 0; i < count; ++i) {

@@ -175,10 +175,8 @@ viz::CSetOfObjects::Ptr breaksOf(const Comparison& comparison, Writer& writer, d
 
 std::vector<Point> wallCells(const WallMap& map) {
   std::vector<Point> walls;
-  for (int y = 0; y < map.frame.height; ++y)
-    for (int x = 0; x < map.frame.width; ++x)
-      if (map.states[map.frame.index({x, y})] == State::occupied)
-        walls.push_back(map.frame.center({x, y}));
+  const auto isWall = [&](Cell c) { return map.states[map.frame.index(c)] == State::occupied; };
+  for (const Cell c : map.frame.cellsWhere(isWall)) walls.push_back(map.frame.center(c));
   return walls;
 }
 

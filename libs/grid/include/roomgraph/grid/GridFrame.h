@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <vector>
 
 #include "roomgraph/geometry/Point.h"
 
@@ -37,6 +38,15 @@ struct GridFrame {
   [[nodiscard]] Cell cellAt(Point p) const;
   /** Whether cells and origin are within the bounds above. */
   [[nodiscard]] bool isSane() const;
+  /** The cells of which `isWanted`, row by row. */
+  template <class IsWanted>
+  [[nodiscard]] std::vector<Cell> cellsWhere(const IsWanted& isWanted) const {
+    std::vector<Cell> cells;
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        if (isWanted(Cell{x, y})) cells.push_back({x, y});
+    return cells;
+  }
 };
 
 }  // namespace roomgraph
