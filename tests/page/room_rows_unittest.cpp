@@ -1,8 +1,7 @@
-#include "room_rows.h"
-
 #include <gtest/gtest.h>
 
 #include "mustache_values.h"
+#include "page_tables.h"
 
 namespace roomgraph {
 namespace {

@@ -8,4 +8,8 @@ namespace roomgraph {
  *  flags, and lists of rows. The template escapes them. */
 Json pageTables(const Comparison& comparison);
 
+/** The ledger of the template, a row for each room: who has seen it, the largest shift, and in how
+ *  many runs it is split, merged, or has other doors. */
+Json roomRows(const std::vector<SiteRoom>& rooms);
+
 }  // namespace roomgraph
