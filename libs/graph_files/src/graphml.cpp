@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "roomgraph/base/Json.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/topology/kind_names.h"
-#include "text.h"
 
 namespace roomgraph {
 namespace {

@@ -6,12 +6,12 @@
 #include <set>
 
 #include "roomgraph/base/Json.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/xml_text.h"
 #include "roomgraph/geometry/thinned_line.h"
 #include "roomgraph/graph_files/OsmOrigin.h"
 #include "roomgraph/rooms/reason_names.h"
 #include "roomgraph/topology/kind_names.h"
-#include "text.h"
 
 namespace roomgraph {
 namespace {

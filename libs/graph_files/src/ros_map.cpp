@@ -4,11 +4,25 @@
 #include <cmath>
 
 #include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/images/png_bytes.h"
-#include "text.h"
 
 namespace roomgraph {
 namespace {
+
+/** The text in quotes as YAML and TOML read it, whatever it holds. */
+std::string quotedText(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+      quoted += formatted("\\u%04x", unsigned(c));
+      continue;
+    }
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
 
 /** "key = value"; TOML has no integers where a float is asked for. */
 std::string line(const char* key, double value) {
