@@ -7,15 +7,14 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "Beat.h"
 #include "TimeLine.h"
 #include "ViewPanel.h"
 #include "ViewState.h"
+#include "pace.h"
 #include "read_place.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/mrpt_plugin/mrpt_compat.h"
 #include "view_keys.h"
-#include "wait_beside.h"
 
 namespace roomgraph {
 namespace {

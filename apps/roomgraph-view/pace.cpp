@@ -1,4 +1,4 @@
-#include "wait_beside.h"
+#include "pace.h"
 
 #include <mrpt/gui/CDisplayWindowGUI.h>
 #include <nanogui/opengl.h>
