@@ -46,7 +46,8 @@ void stepStage(bool isForward, const View& view, ViewState& state) {
   if (!view.stages) return;
   const std::size_t count = stageNames().size();  // the result counts as one more
   const std::size_t now = state.stage.value_or(count);
-  lookAtStage((now + (isForward ? 1 : count)) % (count + 1), state);
+  const std::size_t stage = (now + (isForward ? 1 : count)) % (count + 1);
+  state.stage = stage < count ? std::optional(stage) : std::nullopt;
 }
 
 void showRun(std::size_t run, const View& view, ViewState& state) {
@@ -189,10 +190,6 @@ void lookAtBreak(std::size_t tear, const View& view, ViewState& state) {
   for (std::size_t i = 0; i < view.comparison.runs.size(); ++i)
     if (view.comparison.runs[i].name == place.run) showRun(i, view, state);
   state.frame = placeInPath(view, state.run, place.keyFrame.value_or(0));
-}
-
-void lookAtStage(std::size_t stage, ViewState& state) {
-  state.stage = stage < stageNames().size() ? std::optional(stage) : std::nullopt;
 }
 
 std::size_t placeInPath(const View& view, std::size_t run, std::size_t keyFrame) {

@@ -71,9 +71,6 @@ void fulfil(Wish wish, const View& view, ViewState& state);
 /** Looks at a break: its run, and the first key frame behind it. */
 void lookAtBreak(std::size_t tear, const View& view, ViewState& state);
 
-/** Shows a stage of the extraction; one behind the last is the result. */
-void lookAtStage(std::size_t stage, ViewState& state);
-
 /** Where in the path of a run this key frame is; the next one that has a scan where it has none. */
 std::size_t placeInPath(const View& view, std::size_t run, std::size_t keyFrame);
 

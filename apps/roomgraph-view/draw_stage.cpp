@@ -62,27 +62,6 @@ viz::CSetOfObjects::Ptr bordersOf(const Stages& stages) {
   return set;
 }
 
-viz::CSetOfObjects::Ptr drawParts(const Stages& stages, ShownStage stage) {
-  const StageName& shown = stageNames()[std::size_t(stage)];
-  if (shown.edges) return setOf(edgesOf(stages.voronoi, shown.edges(stages)));
-  if (shown.graph)
-    return graphOf(stages.*shown.graph, stage < ShownStage::cut ? Rooms() : stages.rooms);
-  switch (stage) {
-    case ShownStage::obstacles:
-      return setOf(pointsAt(placesOf(stages.obstacles), kStageHeight, kObstacles, 2));
-    case ShownStage::rooms:
-      return graphOf({}, stages.rooms);
-    case ShownStage::borderVertices:
-      return bordersOf(stages);
-    case ShownStage::areas:
-      return areasOf(stages.areas);
-    case ShownStage::result:
-      return drawGraph(CRoomGraph(stages));
-    default:
-      return viz::CSetOfObjects::Create();  // the grid is the map itself
-  }
-}
-
 std::string countText(std::size_t count, const char* things) {
   return "; " + std::to_string(count) + " " + things;
 }
@@ -117,8 +96,26 @@ std::string countsAt(const Stages& stages, ShownStage stage) {
 
 }  // namespace
 
-viz::CSetOfObjects::Ptr drawStage(const Stages& stages, std::size_t stage) {
-  return drawParts(stages, ShownStage(stage));
+viz::CSetOfObjects::Ptr drawStage(const Stages& stages, std::size_t number) {
+  const auto stage = ShownStage(number);
+  const StageName& shown = stageNames()[number];
+  if (shown.edges) return setOf(edgesOf(stages.voronoi, shown.edges(stages)));
+  if (shown.graph)
+    return graphOf(stages.*shown.graph, stage < ShownStage::cut ? Rooms() : stages.rooms);
+  switch (stage) {
+    case ShownStage::obstacles:
+      return setOf(pointsAt(placesOf(stages.obstacles), kStageHeight, kObstacles, 2));
+    case ShownStage::rooms:
+      return graphOf({}, stages.rooms);
+    case ShownStage::borderVertices:
+      return bordersOf(stages);
+    case ShownStage::areas:
+      return areasOf(stages.areas);
+    case ShownStage::result:
+      return drawGraph(CRoomGraph(stages));
+    default:
+      return viz::CSetOfObjects::Create();  // the grid is the map itself
+  }
 }
 
 std::string stageLine(const Stages& stages, std::size_t stage) {

@@ -15,6 +15,17 @@ namespace {
 
 constexpr double kPlaceReach = 1;  // how far a thing may lie from a click [m]
 
+std::optional<std::size_t> vertexNear(const View& view, Point place) {
+  if (!view.graph) return std::nullopt;
+  const auto& vertices = view.graph->file.graph.graph.vertices();
+  const auto nearer = [&](const Vertex& l, const Vertex& r) {
+    return distance(l.place, place) < distance(r.place, place);
+  };
+  const auto vertex = std::min_element(vertices.begin(), vertices.end(), nearer);
+  if (vertex == vertices.end() || distance(vertex->place, place) > kPlaceReach) return std::nullopt;
+  return std::size_t(vertex - vertices.begin());
+}
+
 void addSiteRoom(const View& view, Point place, std::vector<std::string>& lines) {
   const SiteRoom* room = siteRoomAt(view, place);
   if (!room) return;
@@ -129,17 +140,6 @@ std::optional<std::size_t> roomAt(const View& view, Point place) {
   for (std::size_t r = 0; r < rooms.size(); ++r)
     if (sideOf(rooms[r].shape.polygon, place) != Side::outside) return r;
   return std::nullopt;
-}
-
-std::optional<std::size_t> vertexNear(const View& view, Point place) {
-  if (!view.graph) return std::nullopt;
-  const auto& vertices = view.graph->file.graph.graph.vertices();
-  const auto nearer = [&](const Vertex& l, const Vertex& r) {
-    return distance(l.place, place) < distance(r.place, place);
-  };
-  const auto vertex = std::min_element(vertices.begin(), vertices.end(), nearer);
-  if (vertex == vertices.end() || distance(vertex->place, place) > kPlaceReach) return std::nullopt;
-  return std::size_t(vertex - vertices.begin());
 }
 
 std::optional<std::size_t> pathNear(const View& view, Point place) {

@@ -21,7 +21,6 @@ const SiteRoom* siteRoomAt(const View& view, Point place);
 /** Of the one map's graph: the room that holds a place, and the path that is nearest to it, where
  *  no vertex is as near. None without a graph, and where there is nothing within a metre. */
 std::optional<std::size_t> roomAt(const View& view, Point place);
-std::optional<std::size_t> vertexNear(const View& view, Point place);
 std::optional<std::size_t> pathNear(const View& view, Point place);
 
 }  // namespace roomgraph
