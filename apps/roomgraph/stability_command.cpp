@@ -22,19 +22,13 @@
 namespace roomgraph {
 namespace {
 
-/** What to do with each map. */
-struct StabilityTask {
-  ExtractOptions extract;
-  StabilityOptions options;
-  std::string folder;    ///< for the results
-  unsigned threads = 0;  ///< noisy maps at the same time; 0 for one per core
-  bool isQuiet = false;
-};
-
 struct StabilityArguments {
   std::vector<std::string> maps;
   OptionArguments options;
-  StabilityTask task;
+  StabilityOptions experiment;
+  std::string folder;    ///< for the results
+  unsigned threads = 0;  ///< noisy maps at the same time; 0 for one per core
+  bool isQuiet = false;
 };
 
 void declareExperiment(StabilityOptions& options, CLI::App& app) {
@@ -63,12 +57,6 @@ void declareExperiment(StabilityOptions& options, CLI::App& app) {
             "How far apart a vertex and its partner may lie in the one-to-one matching [m].")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-}
-
-void declareRunning(StabilityTask& task, CLI::App& app) {
-  declareOutput(task.folder, "X.stability.csv and X.stability.json", app);
-  declareThreads(task.threads, "noisy maps", app);
-  declareQuiet(task.isQuiet, app);
 }
 
 /** The runs that are done, in memory and on the disk. Used by all threads. */
@@ -117,7 +105,7 @@ class Progress {
 };
 
 int measurePending(const StabilityBase& base, Progress& progress, const std::string& mapFile,
-                   const StabilityTask& task) {
+                   const StabilityArguments& arguments) {
   const std::vector<std::size_t> pending = progress.pending();
   JobList jobs;
   jobs.count = pending.size();
@@ -126,7 +114,7 @@ int measurePending(const StabilityBase& base, Progress& progress, const std::str
     progress.add(pending[job], measureRun(base, progress.run(pending[job])));
     stepDone();
   };
-  return runInOrder(jobs, task.threads, !task.isQuiet);
+  return runInOrder(jobs, arguments.threads, !arguments.isQuiet);
 }
 
 std::string summary(const Stability& result) {
@@ -138,43 +126,43 @@ std::string summary(const Stability& result) {
 /** Does the whole experiment with one map, writes its files and prints its table. What an
  *  interrupted run of the same map and options has left in X.stability.partial.json is not computed
  *  again; that file goes once the results are written. */
-int measureMap(const std::string& mapFile, const StabilityTask& task) {
-  const std::string partial = outputFile(task.folder, mapFile, "stability.partial.json");
-  const std::string csv = outputFile(task.folder, mapFile, "stability.csv");
-  const std::string json = outputFile(task.folder, mapFile, "stability.json");
-  const GreyMap map = loadGrid(mapFile, task.extract.loadGrid);
+int measureMap(const std::string& mapFile, const StabilityArguments& arguments,
+               const ExtractOptions& extract) {
+  const std::string partial = outputFile(arguments.folder, mapFile, "stability.partial.json");
+  const std::string csv = outputFile(arguments.folder, mapFile, "stability.csv");
+  const std::string json = outputFile(arguments.folder, mapFile, "stability.json");
+  const GreyMap map = loadGrid(mapFile, extract.loadGrid);
   printWarnings(mapFile, map.notes);
-  Progress progress(partial, stabilityKey(map.source, task.extract, task.options),
-                    stabilityRuns(task.options));
-  const StabilityBase base = stabilityBase(map, task.extract, task.options);
-  const int exitCode = measurePending(base, progress, mapFile, task);
+  Progress progress(partial, stabilityKey(map.source, extract, arguments.experiment),
+                    stabilityRuns(arguments.experiment));
+  const StabilityBase base = stabilityBase(map, extract, arguments.experiment);
+  const int exitCode = measurePending(base, progress, mapFile, arguments);
   if (exitCode != kDone) return exitCode;
-  const Stability result = summarizeStability(map, base, task.options, progress.all());
+  const Stability result = summarizeStability(map, base, arguments.experiment, progress.all());
   StagedFiles files;
   files.add(csv, stabilityCsv(result));
   files.add(json, stabilityJson(result));
   files.commit();
   std::error_code gone;  // a file that is left does no harm
   std::filesystem::remove(partial, gone);
-  if (!task.isQuiet)
+  if (!arguments.isQuiet)
     print(printable(mapFile) + ": " + summary(result) + printable(csv) + "\n" + printable(json) +
           "\n");
   return kDone;
 }
 
 int run(const StabilityArguments& arguments) {
-  StabilityTask task = arguments.task;
-  task.extract = toOptions(arguments.options);
-  static_cast<void>(stabilityRuns(task.options));  // throws where they make no sense
+  const ExtractOptions extract = toOptions(arguments.options);
+  static_cast<void>(stabilityRuns(arguments.experiment));  // throws where they make no sense
   filesReadBy(arguments.maps, arguments.options)
-      .writesOfEach(arguments.maps, task.folder,
+      .writesOfEach(arguments.maps, arguments.folder,
                     {"stability.csv", "stability.json", "stability.partial.json"});
-  const ResultFolder folder(task.folder);
+  const ResultFolder folder(arguments.folder);
   int worst = kDone;
   const int exitCode = doEach(arguments.maps, [&](const std::string& map) {
-    worst = std::max(worst, measureMap(map, task));
+    worst = std::max(worst, measureMap(map, arguments, extract));
   });
-  if (!task.isQuiet)
+  if (!arguments.isQuiet)
     print(
         "The distances of the paper's text are 1, 2, 3 and 5, those of its tables are "
         "labelled 1 to 4.");
@@ -188,10 +176,12 @@ std::function<int()> stabilityCommand(CLI::App& app) {
   addArgument(app, "MAP", arguments->maps,
               "Maps, as for 'roomgraph extract'. They are processed one after the other, the "
               "noisy copies of each in parallel.");
-  declareExperiment(arguments->task.options, app);
+  declareExperiment(arguments->experiment, app);
   declareOptions(arguments->options, app);
   declareRooms(arguments->options, app);
-  declareRunning(arguments->task, app);
+  declareOutput(arguments->folder, "X.stability.csv and X.stability.json", app);
+  declareThreads(arguments->threads, "noisy maps", app);
+  declareQuiet(arguments->isQuiet, app);
   return [arguments] { return run(*arguments); };
 }
 
