@@ -61,43 +61,40 @@ using Columns = std::vector<Column>;
 
 Value times(Value value, double factor) { return value ? Value(factor * *value) : std::nullopt; }
 
-/** The one-to-one measures with rooms beside those without. */
-void addAgreement(Columns& columns, const VertexAgreement& room, const VertexAgreement& noRoom,
-                  double resolution) {
+/** The distances of the graphs with rooms beside those without; `ratio` of a row alone. */
+void addMeasures(Columns& columns, const GraphDistance& room, const GraphDistance& noRoom,
+                 const Columns& ratio, Value roomsFound, double resolution) {
+  columns.push_back({"room", times(room.nearest, 1 / resolution)});
+  columns.push_back({"no_room", times(noRoom.nearest, 1 / resolution)});
+  columns.insert(columns.end(), ratio.begin(), ratio.end());
   const auto both = [&](const std::string& name, double factor, Value VertexAgreement::*member) {
-    columns.push_back({"room_" + name, times(room.*member, factor)});
-    columns.push_back({"no_room_" + name, times(noRoom.*member, factor)});
+    columns.push_back({"room_" + name, times(room.agreement.*member, factor)});
+    columns.push_back({"no_room_" + name, times(noRoom.agreement.*member, factor)});
   };
   both("median", 1 / resolution, &VertexAgreement::median);
   both("p90", 1 / resolution, &VertexAgreement::percentile90);
   both("unmatched_base_percent", 100, &VertexAgreement::unmatchedBase);
   both("unmatched_other_percent", 100, &VertexAgreement::unmatchedOther);
+  columns.push_back({"rooms_found_percent", times(roomsFound, 100)});
 }
 
-Columns measuresOf(const StabilityRow& row, double resolution) {
-  Columns columns{{"room", times(row.room.nearest, 1 / resolution)},
-                  {"no_room", times(row.noRoom.nearest, 1 / resolution)},
-                  {"ratio_percent", times(row.ratio, 100)}};
-  addAgreement(columns, row.room.agreement, row.noRoom.agreement, resolution);
-  columns.push_back({"rooms_found_percent", times(row.roomsFound, 100)});
+/** Behind those that are there. */
+Columns measuresOf(const StabilityRow& row, double resolution, Columns columns = {}) {
+  addMeasures(columns, row.room, row.noRoom, {{"ratio_percent", times(row.ratio, 100)}},
+              row.roomsFound, resolution);
   columns.push_back({"rooms_change", row.roomsChange});
   return columns;
 }
 
 Columns columnsOf(const StabilityRow& row, double resolution) {
-  Columns columns{{"distance_px", row.distance}, {"percent", row.percent}};
-  for (Column& column : measuresOf(row, resolution)) columns.push_back(std::move(column));
-  return columns;
+  return measuresOf(row, resolution, {{"distance_px", row.distance}, {"percent", row.percent}});
 }
 
 Columns columnsOf(const StabilityRun& run, const RunMeasures& measures, double resolution) {
   Columns columns{{"distance_px", run.noise.maxDistance},
                   {"percent", run.noise.percent},
-                  {"repeat", run.repeat},
-                  {"room", times(measures.room.nearest, 1 / resolution)},
-                  {"no_room", times(measures.noRoom.nearest, 1 / resolution)}};
-  addAgreement(columns, measures.room.agreement, measures.noRoom.agreement, resolution);
-  columns.push_back({"rooms_found_percent", times(measures.roomsFound, 100)});
+                  {"repeat", run.repeat}};
+  addMeasures(columns, measures.room, measures.noRoom, {}, measures.roomsFound, resolution);
   columns.push_back({"rooms", measures.rooms});
   return columns;
 }
