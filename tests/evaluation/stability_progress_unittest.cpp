@@ -14,7 +14,7 @@ using test::smallExperiment;
 
 TEST(StabilityProgress, whatIsDoneNeedNotBeDoneAgainForTheSameBytes) {
   const SmallExperiment e = smallExperiment();
-  const Stability whole = stability(e.map, e.extract, e.options);
+  const Stability whole = test::stability(e);
   const std::string key = stabilityKey(e.map.source, e.extract, e.options);
   RunsDone some(whole.runs.size());
   for (const std::size_t i : {0u, 3u, 6u}) some[i] = whole.measures[i];

@@ -59,7 +59,7 @@ TEST(Stability, isPerfectWhereTheNoiseMovesNothing) {
   SmallExperiment e = smallExperiment();
   e.options.percents = {0};
   e.options.basePercent = 0;
-  const Stability result = stability(e.map, e.extract, e.options);
+  const Stability result = test::stability(e);
   ASSERT_EQ(result.rows.size(), 2u);
   for (const StabilityRow& row : result.rows) {
     EXPECT_EQ(row.room.nearest, 0.0);
@@ -92,7 +92,7 @@ TEST(Stability, comparesWithOneNoisyMapByThePapersMeasure) {
 
 TEST(Stability, isTheSameOnAnyNumberOfThreads) {
   const SmallExperiment e = smallExperiment();
-  const Stability alone = stability(e.map, e.extract, e.options);
+  const Stability alone = test::stability(e);
   const StabilityBase base = stabilityBase(e.map, e.extract, e.options);
   const auto runs = stabilityRuns(e.options);
   std::vector<RunMeasures> measures(runs.size());
@@ -136,7 +136,7 @@ TEST(Stability, mapsWithoutAGraphHaveNoNumbers) {
   StabilityOptions options;
   options.repeats = 1;
   options.distances = {1};
-  const Stability result = stability(map, {}, options);
+  const Stability result = test::stability({map, {}, options});
   EXPECT_FALSE(result.mean.ratio);
   EXPECT_FALSE(result.mean.roomsFound);
   EXPECT_EQ(result.baseRooms, 0u);

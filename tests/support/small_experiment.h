@@ -20,4 +20,13 @@ inline SmallExperiment smallExperiment() {
   return experiment;
 }
 
+/** All of an experiment, one noisy map after the other. */
+inline Stability stability(const SmallExperiment& of) {
+  const StabilityBase base = stabilityBase(of.map, of.extract, of.options);
+  std::vector<RunMeasures> measures;
+  for (const StabilityRun& run : stabilityRuns(of.options))
+    measures.push_back(measureRun(base, run));
+  return summarizeStability(of.map, base, of.options, measures);
+}
+
 }  // namespace roomgraph::test

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/mapped.h"
 
 namespace roomgraph {
 namespace {
@@ -202,15 +201,6 @@ Stability summarizeStability(const GreyMap& map, const StabilityBase& base,
   }
   result.mean = meanOfRows(result.rows);
   return result;
-}
-
-Stability stability(const GreyMap& map, const ExtractOptions& extract,
-                    const StabilityOptions& options) {
-  const std::vector<StabilityRun> runs = stabilityRuns(options);
-  const StabilityBase base = stabilityBase(map, extract, options);
-  return summarizeStability(map, base, options, mapped(runs, [&](const StabilityRun& run) {
-                              return measureRun(base, run);
-                            }));
 }
 
 }  // namespace roomgraph

@@ -95,8 +95,4 @@ struct Stability {
 Stability summarizeStability(const GreyMap& map, const StabilityBase& base,
                              const StabilityOptions& options, std::vector<RunMeasures> measures);
 
-/** All of it, one noisy map after the other. */
-Stability stability(const GreyMap& map, const ExtractOptions& extract,
-                    const StabilityOptions& options);
-
 }  // namespace roomgraph
