@@ -120,8 +120,6 @@ std::optional<ChangePoint> changePoint(const Samples& samples) {
 
 ErrorWatch watchErrors(const Samples& errors, const WatchOptions& options) {
   ErrorWatch watch;
-  for (std::size_t i = 0; i < errors.size(); ++i)
-    if (errors[i].value <= options.limit) watch.lastGood = i;
   if (errors.size() < kLastNights) return watch;
   watch.isOverLimit = medianOf(lastOf(errors, kLastNights)) > options.limit;
   watch.isTooShort = errors.size() < 2 * kLastNights;

@@ -71,22 +71,21 @@ struct WatchOptions {
 
 /** What the map errors say of a robot. */
 struct ErrorWatch {
-  bool isOverLimit = false;             ///< the median of the last nights is above the limit
-  bool isDeclining = false;             ///< the errors rise, slowly or not, and surely
-  bool isChanged = false;               ///< they have been larger since some night, and surely
-  bool isTooShort = true;               ///< too few samples to see a decline or a change
-  std::optional<SlopeFit> slope;        ///< of the last kDeclineNights
-  double pRising = 0.5;                 ///< of these, see mannKendall
-  std::optional<ChangePoint> change;    ///< of the history; its index is one of all samples
-  std::optional<double> daysToLimit;    ///< where it is declining and below the limit
-  std::optional<std::size_t> lastGood;  ///< the last sample that is not above the limit
+  bool isOverLimit = false;           ///< the median of the last nights is above the limit
+  bool isDeclining = false;           ///< the errors rise, slowly or not, and surely
+  bool isChanged = false;             ///< they have been larger since some night, and surely
+  bool isTooShort = true;             ///< too few samples to see a decline or a change
+  std::optional<SlopeFit> slope;      ///< of the last kDeclineNights
+  double pRising = 0.5;               ///< of these, see mannKendall
+  std::optional<ChangePoint> change;  ///< of the history; its index is one of all samples
+  std::optional<double> daysToLimit;  ///< where it is declining and below the limit
 
   bool isAlarm() const { return isOverLimit || isDeclining || isChanged; }
 };
 
 /** Judges the map errors [m] of a robot, in the order of time. One bad night, or two in five, are
- *  no alarm, a slow decline is. With fewer than kLastNights samples nothing is said but lastGood,
- *  with fewer than twice as many nothing of a decline or a change. O(history log history). */
+ *  no alarm, a slow decline is. With fewer than kLastNights samples nothing is said, with fewer
+ *  than twice as many nothing of a decline or a change. O(history log history). */
 ErrorWatch watchErrors(const Samples& errors, const WatchOptions& options);
 
 }  // namespace roomgraph
