@@ -207,7 +207,7 @@ Archive::Archive(const std::string& file, Access access)
   // another program is just doing the same, its mode will do.
   if (!database_->isReadOnly()) database_->tryRun("PRAGMA journal_mode = WAL");
   database_->run("PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON");
-  migrate(*database_, schemaSteps());
+  migrate(*database_);
 }
 
 Archive::~Archive() = default;

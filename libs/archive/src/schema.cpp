@@ -6,8 +6,8 @@ namespace roomgraph {
 namespace {
 
 constexpr std::int64_t kArchive = 0x726d6772;  // "rmgr", as `file` shows it
-
-constexpr const char* kFirst = R"(
+constexpr std::int64_t kVersion = 1;
+constexpr const char* kTables = R"(
 -- The runs of one building, and its rooms as a text of format roomgraph/site.
 CREATE TABLE site (
   id INTEGER PRIMARY KEY,
@@ -93,22 +93,17 @@ bool isArchive(Database& database) {
 
 }  // namespace
 
-const std::vector<std::string>& schemaSteps() {
-  static const std::vector<std::string> steps{kFirst};
-  return steps;
-}
-
-void migrate(Database& database, const std::vector<std::string>& steps) {
-  const auto version = [&] { return std::size_t(database.number("PRAGMA user_version")); };
-  while (!isArchive(database) || version() < steps.size()) {
+void migrate(Database& database) {
+  const auto version = [&] { return database.number("PRAGMA user_version"); };
+  if (!isArchive(database) || version() < kVersion) {
     Transaction transaction(database);
     // Another program may have been faster.
     if (!isArchive(database)) database.run("PRAGMA application_id = " + std::to_string(kArchive));
-    if (const std::size_t next = version(); next < steps.size())
-      database.run(steps[next] + "; PRAGMA user_version = " + std::to_string(next + 1));
+    if (version() < kVersion)
+      database.run(std::string(kTables) + "; PRAGMA user_version = " + std::to_string(kVersion));
     transaction.commit();
   }
-  if (version() > steps.size())
+  if (version() > kVersion)
     refuse(database.file(), "was written by a later version of roomgraph", "use that version");
 }
 
