@@ -1,6 +1,6 @@
 #include "roomgraph/report/comparison_csv.h"
 
-#include <functional>
+#include <array>
 
 #include "json_places.h"
 #include "roomgraph/base/csv_text.h"
@@ -10,28 +10,19 @@
 namespace roomgraph {
 namespace {
 
-/** A figure of each break of a run, in their order. */
-std::string ofBreaks(const Comparison& comparison, const std::string& run,
-                     const std::function<std::string(const MapBreak&)>& figure) {
-  std::string text;
-  for (const MapBreak& tear : comparison.breaks)
-    if (tear.run == run) text += (text.empty() ? "" : ";") + figure(tear);
-  return text;
-}
-
+/** What is told of the breaks of a run, each kind of figure in a field. */
 std::string breakFields(const Comparison& comparison, const std::string& run) {
-  const auto keyFrame = [](const MapBreak& tear) {
-    return tear.keyFrame ? std::to_string(*tear.keyFrame) : "-";
-  };
-  const auto place = [](const MapBreak& tear) {
-    return csvNumber(tear.place.x) + " " + csvNumber(tear.place.y);
-  };
-  const auto turn = [](const MapBreak& tear) { return csvNumber(tear.rotation * 180 / M_PI); };
-  const auto shift = [](const MapBreak& tear) { return csvNumber(tear.shift); };
+  std::array<std::string, 4> fields;
+  for (const MapBreak& tear : comparison.breaks) {
+    if (tear.run != run) continue;
+    const std::string figures[] = {tear.keyFrame ? std::to_string(*tear.keyFrame) : "-",
+                                   csvNumber(tear.place.x) + " " + csvNumber(tear.place.y),
+                                   csvNumber(tear.rotation * 180 / M_PI), csvNumber(tear.shift)};
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      fields[i] += (fields[i].empty() ? "" : ";") + figures[i];
+  }
   std::string text;
-  for (const auto& figure : std::initializer_list<std::function<std::string(const MapBreak&)>>{
-           keyFrame, place, turn, shift})
-    text += "," + csvField(ofBreaks(comparison, run, figure));
+  for (const std::string& field : fields) text += "," + csvField(field);
   return text;
 }
 
