@@ -6,7 +6,7 @@
 #include "TestFolder.h"
 #include "refusal.h"
 #include "roomgraph/archive/Archive.h"
-#include "roomgraph/report/measure_json.h"
+#include "roomgraph/report/json_parts.h"
 #include "sample_nights.h"
 
 namespace roomgraph {

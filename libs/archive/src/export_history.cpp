@@ -11,7 +11,7 @@
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/base/utf8_text.h"
 #include "roomgraph/measures/measure_kinds.h"
-#include "roomgraph/report/measure_json.h"
+#include "roomgraph/report/json_parts.h"
 
 namespace roomgraph {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include "json_places.h"
 #include "roomgraph/base/csv_text.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/measures/measure_kinds.h"
+#include "roomgraph/report/json_parts.h"
 
 namespace roomgraph {
 namespace {

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "as_written.h"
-#include "json_places.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/mapped.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/utf8_text.h"
-#include "roomgraph/report/measure_json.h"
+#include "roomgraph/report/json_parts.h"
 
 namespace roomgraph {
 namespace {

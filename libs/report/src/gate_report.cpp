@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "as_written.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/utf8_text.h"
 #include "roomgraph/base/xml_text.h"
 
+#include "roomgraph/report/json_parts.h"
 namespace roomgraph {
 namespace {
 

@@ -1,11 +1,11 @@
 #include <cmath>
 
-#include "json_places.h"
 #include "roomgraph/base/InputFile.h"
 #include "roomgraph/base/mapped.h"
 #include "roomgraph/base/read_document.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/report/comparison_json.h"
+#include "roomgraph/report/json_parts.h"
 
 namespace roomgraph {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "json_places.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/report/json_parts.h"
 
 namespace roomgraph {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <set>
 
-#include "json_places.h"
 #include "roomgraph/base/mapped.h"
 #include "roomgraph/base/read_document.h"
 #include "roomgraph/geometry/point_json.h"
+#include "roomgraph/report/json_parts.h"
 
 namespace roomgraph {
 namespace {
