@@ -15,7 +15,7 @@ TEST(LineOf, keepsTheOrderOfMembersOnOneLine) {
 TEST(LineOf, replacesWhatIsNoUtf8) { EXPECT_EQ(lineOf(Json("a\xff")), "\"a\xEF\xBF\xBD\""); }
 
 TEST(JsonDocument, hasALineForEachMemberAndEachEntry) {
-  JsonDocument document("roomgraph/test");
+  JsonDocument document("roomgraph/test", nullptr);
   document.add("a", {{"b", 1}});
   document.addList("some", std::vector<int>{1, 2}, [](int number) { return Json(number); });
   document.addList("none", std::vector<int>{}, [](int number) { return Json(number); });

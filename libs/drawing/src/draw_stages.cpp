@@ -177,7 +177,7 @@ std::vector<std::string> stageFiles() {
 void drawStages(const Stages& stages, const std::string& folder, StagedFiles& files) {
   makeWritableFolder(folder);
   const std::string map = fileName(stages.source.file);
-  JsonDocument document("roomgraph/stages");
+  JsonDocument document("roomgraph/stages", nullptr);
   document.addEntries("stages", stageNames().size(), [&](std::size_t step) {
     const StageName& stage = stageNames()[step];
     Picture picture = pictureOf(stages, ShownStage(step));

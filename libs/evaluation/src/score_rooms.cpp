@@ -227,7 +227,6 @@ std::string roomScoreText(const RoomScore& score) {
 
 std::string roomScoreJson(const RoomScore& score) {
   JsonDocument document("roomgraph/room_score");
-  document.add("program", programJson());
   document.add("size", {score.width, score.height});
   document.add("largest_dropped_px", score.largestDropped);
   document.add("labels", json(score.seg));

@@ -248,7 +248,6 @@ std::string stabilityCsv(const Stability& result) {
 std::string stabilityJson(const Stability& result) {
   const double resolution = result.frame.resolution;
   JsonDocument document("roomgraph/stability");
-  document.add("program", programJson());
   document.add("input", inputJson(result));
   document.add("options", optionsJson(result.extract));
   document.add("experiment", experimentJson(result.options));

@@ -138,8 +138,7 @@ std::string optionsText(const std::vector<SavedOption>& options) {
 
 std::string graphJson(const GraphFile& file) {
   const TopologyGraph& graph = file.graph.graph;
-  JsonDocument document("roomgraph/graph");
-  document.add("program", {{"name", file.program}, {"version", file.version}});
+  JsonDocument document("roomgraph/graph", {{"name", file.program}, {"version", file.version}});
   document.add("input", inputJson(file.input));
   document.addText("options", optionsText(file.options));
   addList(document, "vertices", graph.vertices(), vertexText);

@@ -164,7 +164,6 @@ Json measureJson(const Measure& measure) {
 
 std::string comparisonJson(const Comparison& comparison) {
   JsonDocument document("roomgraph/comparison");
-  document.add("program", programJson());
   document.add("reference", orNull(comparison.reference));
   if (!comparison.core.empty()) document.add("core", comparison.core);
   if (comparison.isOneDrive) document.add("one_drive", true);

@@ -63,7 +63,6 @@ std::string runCheckJson(const RunCheck& check) {
     return check.selfError ? Json(rounded(value)) : Json(nullptr);
   };
   JsonDocument document("roomgraph/check");
-  document.add("program", programJson());
   document.add("name", check.name);
   document.add("file", fileName(check.file));
   document.add("sha256", check.sha256);

@@ -130,7 +130,6 @@ SiteFile parseSiteJson(const std::string& content, const std::string& name) {
 
 std::string siteJson(const SiteFile& file) {
   JsonDocument document("roomgraph/site");
-  document.add("program", programJson());
   document.add("next", {{"room", file.nextRoom}, {"corridor", file.nextCorridor}});
   document.addList("rooms", file.rooms, [](const SiteRoom& room) {
     return placedRoomJson(room, mapped(room.doors, doorJson));

@@ -38,9 +38,11 @@ Json programJson();
  *  a large map is not copied around. */
 class JsonDocument {
  public:
-  /** In version 1 of this format, such as "roomgraph/graph". */
-  explicit JsonDocument(const std::string& format)
-      : text_("{\n\"format\": \"" + format + "\",\n\"version\": 1") {}
+  /** In version 1 of this format, such as "roomgraph/graph", by a program; null for none. */
+  explicit JsonDocument(const std::string& format, const Json& program = programJson())
+      : text_("{\n\"format\": \"" + format + "\",\n\"version\": 1") {
+    if (!program.is_null()) add("program", program);
+  }
 
   void add(const char* name, const Json& value) { addText(name, lineOf(value)); }
   /** A member whose value is JSON already. */
