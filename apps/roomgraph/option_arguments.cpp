@@ -1,6 +1,7 @@
 #include "option_arguments.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/split.hpp>
 #include <cmath>
 #include <memory>
 
@@ -92,13 +93,8 @@ void apply(const OptionArguments& arguments, ExtractOptions& options, FieldTable
 
 /** What stands between commas; "a,,b," has four words. */
 std::vector<std::string> wordsOf(const std::string& list) {
-  std::vector<std::string> words(1);
-  for (const char c : list)
-    if (c == ',')
-      words.emplace_back();
-    else
-      words.back() += c;
-  return words;
+  std::vector<std::string> words;
+  return boost::algorithm::split(words, list, [](char c) { return c == ','; });
 }
 
 }  // namespace

@@ -1,14 +1,13 @@
-#include "roomgraph/repair/places_csv.h"
-
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
 #include <cstdlib>
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/csv_text.h"
-#include "roomgraph/repair/places_formats.h"
 #include "roomgraph/base/file_name.h"
+#include "roomgraph/repair/places_formats.h"
 
 namespace roomgraph {
 namespace {
@@ -78,11 +77,7 @@ class PlacesTable {
   Cells names_;
 };
 
-std::string lineOf(const Cells& cells) {
-  std::string line;
-  for (std::size_t i = 0; i < cells.size(); ++i) line += (i == 0 ? "" : ",") + cells[i];
-  return line + "\n";
-}
+std::string lineOf(const Cells& cells) { return boost::algorithm::join(cells, ",") + "\n"; }
 
 /** Cells as they are written: texts as fields. */
 Cells fieldsOf(const Cells& cells) {

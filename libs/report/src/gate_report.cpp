@@ -1,13 +1,14 @@
 #include "roomgraph/report/gate_report.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/utf8_text.h"
 #include "roomgraph/base/xml_text.h"
-
 #include "roomgraph/report/json_parts.h"
+
 namespace roomgraph {
 namespace {
 
@@ -50,12 +51,6 @@ std::string markdownText(const std::string& given) {
     if (std::string("\\`*_{}[]<>|#&").find(c) != std::string::npos) text += '\\';
     text += c;
   }
-  return text;
-}
-
-std::string joined(const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += (text.empty() ? "" : "; ") + line;
   return text;
 }
 
@@ -104,8 +99,8 @@ std::string junitOf(const std::vector<TestCase>& runs) {
     if (run.complaints.empty())
       text += "/>\n";
     else
-      text +=
-          ">\n   <failure message=\"" + xmlText(joined(run.complaints)) + "\"/>\n  </testcase>\n";
+      text += ">\n   <failure message=\"" + xmlText(boost::algorithm::join(run.complaints, "; ")) +
+              "\"/>\n  </testcase>\n";
   }
   return text + " </testsuite>\n</testsuites>\n";
 }
@@ -132,8 +127,9 @@ std::string gateMarkdown(const std::vector<RunCheck>& checks,
             formatted(" | %.0f %% | ", 100 * check.seenTwice) +
             std::to_string(check.breaks.size()) + " | " + std::to_string(check.doubled.size()) +
             " | " + std::to_string(check.welded.size()) + " | " +
-            (check.complaints.empty() ? "passes"
-                                      : "**" + markdownText(joined(check.complaints)) + "**") +
+            (check.complaints.empty()
+                 ? "passes"
+                 : "**" + markdownText(boost::algorithm::join(check.complaints, "; ")) + "**") +
             " |\n";
   for (const std::string& file : unread)
     text += "| " + markdownText(file) + " | - | - | - | - | - | **" + kUnread + "** |\n";
@@ -145,7 +141,7 @@ std::string gateMarkdown(const Comparison& comparison) {
   std::string text = headingOf(comparison);
   if (comparison.gate) {
     const GateVerdict& gate = *comparison.gate;
-    const std::string asked = joined(gate.asked);
+    const std::string asked = boost::algorithm::join(gate.asked, "; ");
     if (!asked.empty()) text += "Criteria: " + markdownText(asked) + ".\n\n";
     const std::vector<std::string>& lines = gate.isPassed() ? gate.margins : gate.complaints;
     for (const std::string& line : lines) text += "- " + markdownText(line) + "\n";
