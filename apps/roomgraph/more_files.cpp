@@ -73,10 +73,9 @@ void addBreakFiles(const Comparison& comparison, const std::vector<Run>& runs,
   std::map<std::string, std::vector<PlacedScan>> read;  // by run
   for (std::size_t i = 0; i < comparison.breaks.size(); ++i) {
     const MapBreak& tear = comparison.breaks[i];
-    const auto isTorn = [&](const auto& run) { return run.name == tear.run; };
-    const auto run = std::find_if(runs.begin(), runs.end(), isTorn);
-    const auto placed = std::find_if(comparison.runs.begin(), comparison.runs.end(), isTorn);
-    if (!tear.keyFrame || run == runs.end() || placed == comparison.runs.end()) continue;
+    const Run* run = findRun(runs, tear.run);
+    const ComparedRun* placed = findRun(comparison.runs, tear.run);
+    if (!tear.keyFrame || !run || !placed) continue;
     const auto [known, isNew] = read.try_emplace(tear.run);
     if (isNew) known->second = scansOf(run->file, reading).scans;
     const std::vector<PlacedScan>& scans = known->second;

@@ -19,12 +19,6 @@ constexpr double kLayerStep = 0.05;    // between layers, so that none hides in 
 constexpr double kRobotMark = 0.15;    // [m]
 constexpr double kLetterShare = 0.03;  // of the width of what is shown
 
-Transform2D poseOf(const Comparison& comparison, const std::string& name) {
-  for (const ComparedRun& run : comparison.runs)
-    if (run.name == name) return run.pose;
-  return {};
-}
-
 Transform2D mendOf(const MapBreak& tear) { return tear.torn ? tear.torn->mend() : Transform2D{}; }
 
 /** What some key frames saw, and the way of the robot. */
@@ -98,7 +92,8 @@ MrptScene breakScene(const Comparison& comparison, const MapBreak& tear,
   addOthers(comparison, tear, runs, scene);
   std::vector<Point> shown{tear.place};
   if (const Run* run = findRun(runs, tear.run)) {
-    const Transform2D pose = poseOf(comparison, tear.run);
+    const ComparedRun* compared = findRun(comparison.runs, tear.run);
+    const Transform2D pose = compared ? compared->pose : Transform2D();
     Piece before(kBreakParts[0], kLayerStep), drawn(kBreakParts[1], 2 * kLayerStep),
         untorn(kBreakParts[2], 3 * kLayerStep);
     const FramesAtBreak frames = framesAtBreak(tear, run->scans);

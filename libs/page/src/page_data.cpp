@@ -145,10 +145,8 @@ std::string pageData(const Comparison& comparison, const std::vector<Run>& runs)
 BreakScans breakScans(const Comparison& comparison, const MapBreak& tear,
                       const std::vector<Run>& runs) {
   const Run* run = findRun(runs, tear.run);
-  const auto placed =
-      std::find_if(comparison.runs.begin(), comparison.runs.end(),
-                   [&](const ComparedRun& compared) { return compared.name == tear.run; });
-  if (!run || placed == comparison.runs.end()) return {};
+  const ComparedRun* placed = findRun(comparison.runs, tear.run);
+  if (!run || !placed) return {};
   const Motion2D move(placed->pose);
   BreakScans scans;
   const FramesAtBreak frames = framesAtBreak(tear, run->scans);

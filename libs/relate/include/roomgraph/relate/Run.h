@@ -21,8 +21,13 @@ struct Run {
   bool isScaleEstimated = false;   ///< `resolution` is estimateScale's, not the file's
 };
 
-/** The run of this name; null where there is none. O(runs). */
-[[nodiscard]] const Run* findRun(const std::vector<Run>& runs, const std::string& name);
+/** The run of this name, as it is or compared; null where there is none. O(runs). */
+template <class OneRun>
+[[nodiscard]] const OneRun* findRun(const std::vector<OneRun>& runs, const std::string& name) {
+  for (const OneRun& run : runs)
+    if (run.name == name) return &run;
+  return nullptr;
+}
 
 /** The order of sortRuns. */
 [[nodiscard]] bool isBefore(const Run& l, const Run& r);
