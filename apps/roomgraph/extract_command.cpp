@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <charconv>
 #include <memory>
 #include <optional>
 
@@ -190,9 +189,7 @@ std::vector<RoomId> keptOutRooms(const ExtractArguments& arguments,
   std::vector<RoomId> rooms;
   for (const std::string& name : arguments.keptOut) {
     std::size_t number = 0;
-    const char* end = name.data() + name.size();
-    if (name.size() < 2 || name[0] != 'R' ||
-        std::from_chars(name.data() + 1, end, number).ptr != end)
+    if (name.rfind('R', 0) != 0 || !parseNumber(name.substr(1), number))
       throw UsageError("extract: --keep-out " + name +
                        ": is no room: name one as X.json has it, R3");
     rooms.emplace_back(number);

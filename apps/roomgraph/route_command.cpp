@@ -1,4 +1,3 @@
-#include <charconv>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -86,12 +85,6 @@ struct RouteArguments {
   OptionArguments options;
 };
 
-template <class Number>
-bool isNumber(const std::string& text, Number& number) {
-  const char* end = text.data() + text.size();
-  return std::from_chars(text.data(), end, number).ptr == end && !text.empty();
-}
-
 /** Whether a place may lie on a map; not so what is infinite or no number. */
 bool isPlace(Point place) {
   return std::abs(place.x) < kFarthestPlace && std::abs(place.y) < kFarthestPlace;
@@ -123,7 +116,7 @@ std::string knownAreas(const GraphFile& file) {
 /** An area by what it is called, see areaName; or x and y [m]. */
 Point placeOf(const GraphFile& file, const std::vector<std::string>& words, const char* option) {
   Point place;
-  if (words.size() == 2 && isNumber(words[0], place.x) && isNumber(words[1], place.y) &&
+  if (words.size() == 2 && parseNumber(words[0], place.x) && parseNumber(words[1], place.y) &&
       isPlace(place))
     return place;
   for (std::size_t a = 0; a < file.areas.areas.size() && words.size() == 1; ++a)

@@ -25,13 +25,6 @@ std::string trimmed(const std::string& text) {
 }
 
 template <class Number>
-bool parseNumber(const std::string& text, Number& value) {
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  return result.ec == std::errc() && result.ptr == end;
-}
-
-template <class Number>
 bool assignNumber(const Field& field, const std::string& text, Number& target) {
   Number value{};
   // Written so that NaN is refused, too.

@@ -22,6 +22,14 @@ std::string numberText(Number value) {
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
+/** Whether all of the text is a number, in any locale, that `value` can hold. */
+template <class Number>
+bool parseNumber(const std::string& text, Number& value) {
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  return result.ec == std::errc() && result.ptr == end;
+}
+
 /** "1 room", "2 rooms". */
 std::string counted(std::size_t count, const std::string& thing, const std::string& things);
 
