@@ -16,13 +16,6 @@ std::string resolutionText(double metres) {
   return text.str();
 }
 
-std::vector<LegendItem> areaLegend(const Stages& stages) {
-  std::vector<LegendItem> items;
-  if (const std::size_t count = stages.areas.passages.size()) items.push_back(passageLegend(count));
-  if (!stages.cleared.clutter.empty()) items.push_back(clutterLegend());
-  return items;
-}
-
 Scene resultScene(const Stages& stages) {
   const RoomGraph& result = stages.result;
   const TopologyGraph& graph = result.graph;

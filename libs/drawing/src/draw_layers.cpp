@@ -195,10 +195,6 @@ std::string groupedCount(std::size_t count, const std::string& one, const std::s
   return digits + " " + (count == 1 ? one : many);
 }
 
-void drawAreas(const Pen& pen, const std::vector<Area>& areas) {
-  drawRooms(pen, mapped(areas, [](const Area& area) { return &area.polygon; }));
-}
-
 void drawPassages(const Pen& pen, const std::vector<Passage>& passages) {
   pen.ink(ink::orange);
   for (const Passage& passage : passages) {
@@ -218,22 +214,17 @@ void drawClutter(const Pen& pen, const std::vector<Clutter>& clutter) {
   finishRings(pen);
 }
 
-LegendItem passageLegend(std::size_t count) {
-  return lineLegend(groupedCount(count, "passage", "passages"), ink::orange, kPassagePx);
-}
-
-LegendItem corridorAreaLegend(std::size_t count) {
-  return {groupedCount(count, "corridor", "corridors"), [](const Pen& pen, Point place) {
-            pen.traceBox(place, {9, 6});
-            pen.paint(ink::sky, 0.34, ink::blue, 0.7, 1.2);
-          }};
-}
-
-LegendItem clutterLegend() {
-  return {"clutter", [](const Pen& pen, Point place) {
-            pen.traceDisc(place, 5);
-            finishRings(pen);
-          }};
+std::vector<LegendItem> areaLegend(const Stages& stages) {
+  std::vector<LegendItem> items;
+  if (const std::size_t count = stages.areas.passages.size())
+    items.push_back(
+        lineLegend(groupedCount(count, "passage", "passages"), ink::orange, kPassagePx));
+  if (!stages.cleared.clutter.empty())
+    items.push_back({"clutter", [](const Pen& pen, Point place) {
+                       pen.traceDisc(place, 5);
+                       finishRings(pen);
+                     }});
+  return items;
 }
 
 }  // namespace roomgraph

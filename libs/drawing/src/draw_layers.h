@@ -34,17 +34,10 @@ LegendItem squareLegend(const std::string& label, Colour colour);
 /** "1 room", "2 rooms", "3 vertices"; thousands are set apart. */
 std::string groupedCount(std::size_t count, const std::string& one, const std::string& many);
 
-/** Rooms and corridors filled alike. */
-void drawAreas(const Pen& pen, const std::vector<Area>& areas);
 /** A stroke across each opening. */
 void drawPassages(const Pen& pen, const std::vector<Passage>& passages);
 /** A disc over each obstacle that is taken for clutter. */
 void drawClutter(const Pen& pen, const std::vector<Clutter>& clutter);
-
-/** A corridor as drawAreas() shows it. */
-LegendItem corridorAreaLegend(std::size_t count);
-LegendItem passageLegend(std::size_t count);
-LegendItem clutterLegend();
 
 /** The picture of the result; `stages` must outlive it. */
 Scene resultScene(const Stages& stages);

@@ -123,12 +123,17 @@ Picture areasPicture(const Stages& stages) {
                                 {"clutter", stages.cleared.clutter.size()}}),
                   {}};
   picture.scene.layers = [&stages](const Pen& pen) {
-    drawAreas(pen, stages.areas.areas);
+    drawRooms(pen, mapped(stages.areas.areas, [](const Area& area) { return &area.polygon; }));
     drawClutter(pen, stages.cleared.clutter);
     drawPassages(pen, stages.areas.passages);
     drawRoomLabels(pen, stages.result.rooms);
   };
-  picture.scene.legend = {roomLegend(rooms), corridorAreaLegend(corridors)};
+  picture.scene.legend = {
+      roomLegend(rooms),
+      {groupedCount(corridors, "corridor", "corridors"), [](const Pen& pen, Point place) {
+         pen.traceBox(place, {9, 6});
+         pen.paint(ink::sky, 0.34, ink::blue, 0.7, 1.2);
+       }}};
   for (const LegendItem& item : areaLegend(stages)) picture.scene.legend.push_back(item);
   return picture;
 }
