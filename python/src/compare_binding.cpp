@@ -39,17 +39,15 @@ struct PythonComparison {
 
   std::string json() const { return comparisonJson(savedIn(".", {kJson})); }
 
-  std::string report(const fs::path& folder, std::vector<std::string> files) const {
-    return comparisonReport(
-        parseComparisonJson(comparisonJson(savedIn(folder, std::move(files))), kJson), runs);
+  std::string report(const std::string& json) const {
+    return comparisonReport(parseComparisonJson(json, kJson), runs);
   }
 
   void write(const std::string& folder) const {
-    const std::vector<std::string> files{kReport, kJson};
     makeWritableFolder(folder);
-    writeFileAtomically((fs::path(folder) / kReport).string(), report(folder, files));
-    writeFileAtomically((fs::path(folder) / kJson).string(),
-                        comparisonJson(savedIn(folder, files)));
+    const std::string json = comparisonJson(savedIn(folder, {kReport, kJson}));
+    writeFileAtomically((fs::path(folder) / kReport).string(), report(json));
+    writeFileAtomically((fs::path(folder) / kJson).string(), json);
   }
 };
 
@@ -76,7 +74,10 @@ void bindCompare(py::module_& module) {
       .def("json", &PythonComparison::json, Unlocked())
       .def("text", [](const PythonComparison& self) { return comparisonText(self.comparison); })
       .def(
-          "report", [](const PythonComparison& self) { return self.report(".", {kReport}); },
+          "report",
+          [](const PythonComparison& self) {
+            return self.report(comparisonJson(self.savedIn(".", {kReport})));
+          },
           Unlocked())
       .def("write", &PythonComparison::write, py::arg("folder"), Unlocked());
   module.def("compare", &compare, py::arg("maps"), py::arg("reference"), py::arg("call"),

@@ -1,6 +1,5 @@
 #include <pybind11/stl.h>
 
-#include "PythonMap.h"
 #include "bindings.h"
 #include "read_maps.h"
 #include "roomgraph/base/Error.h"

@@ -5,7 +5,6 @@
 #include <memory>
 #include <utility>
 
-#include "PythonThreads.h"
 #include "bindings.h"
 #include "read_maps.h"
 #include "roomgraph/base/Error.h"
