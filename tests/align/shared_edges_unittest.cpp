@@ -8,6 +8,7 @@
 #include "drawn_building.h"
 #include "drawn_hall.h"
 #include "roomgraph/align/wall_map.h"
+#include "sampled_grid.h"
 
 namespace roomgraph {
 namespace {
@@ -22,13 +23,7 @@ const Grid& building() {
 }
 
 /** The picture with each cell as `cellOf` says, in its frame. */
-Grid edited(const std::function<State(Cell)>& cellOf) {
-  Grid grid = building();
-  for (int y = 0; y < grid.frame.height; ++y)
-    for (int x = 0; x < grid.frame.width; ++x)
-      grid.cells[grid.frame.index({x, y})] = cellOf({x, y});
-  return grid;
-}
+Grid edited(const std::function<State(Cell)>& cellOf) { return test::redrawn(building(), cellOf); }
 
 Grid quarterTurned(const Grid& grid) {
   Grid turned;

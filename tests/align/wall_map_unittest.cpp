@@ -7,6 +7,7 @@
 
 #include "drawn_building.h"
 #include "roomgraph/align/FullMaps.h"
+#include "sampled_grid.h"
 
 namespace roomgraph {
 namespace {
@@ -115,10 +116,7 @@ TEST(WallMap, unknownSpaceAroundAMapChangesNothing) {
   padded.frame = grid.frame;
   padded.frame.width += 2 * pad, padded.frame.height += 2 * pad;
   padded.frame.origin = grid.frame.origin - grid.frame.resolution * Point{pad, pad};
-  padded.cells.assign(padded.frame.cellCount(), State::unknown);
-  for (int y = 0; y < grid.frame.height; ++y)
-    for (int x = 0; x < grid.frame.width; ++x)
-      padded.cells[padded.frame.index({x + pad, y + pad})] = grid.at({x, y});
+  padded = test::redrawn(padded, [&](Cell c) { return grid.atOrUnknown({c.x - pad, c.y - pad}); });
   const WallMap here = wallMap(grid), there = wallMap(padded);
   ASSERT_EQ(here.walls.size(), there.walls.size());
   for (std::size_t i = 0; i < here.walls.size(); ++i)

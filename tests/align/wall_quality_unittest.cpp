@@ -7,6 +7,7 @@
 #include "drawn_building.h"
 #include "drawn_hall.h"
 #include "roomgraph/align/wall_map.h"
+#include "sampled_grid.h"
 
 namespace roomgraph {
 namespace {
@@ -73,20 +74,18 @@ TEST(WallSharpness, isTheThicknessInCellsWhereAllEndsAtWalls) {
 }
 
 TEST(WallSharpness, wallsThatAreThinnedLowerIt) {
-  Grid frayed = test::drawnHall(0.05, 0);
-  for (int y = 0; y < frayed.frame.height; ++y)
-    for (int x = 0; x < frayed.frame.width; ++x)
-      if ((x + y) % 4 != 0 && frayed.at({x, y}) == State::occupied)
-        frayed.cells[frayed.frame.index({x, y})] = State::unknown;
+  const Grid hall = test::drawnHall(0.05, 0);
+  const Grid frayed = test::redrawn(hall, [&](Cell c) {
+    return (c.x + c.y) % 4 != 0 && hall.at(c) == State::occupied ? State::unknown : hall.at(c);
+  });
   EXPECT_NEAR(wallSharpness(frayed).value(), 0.25, 0.03);
 }
 
 TEST(WallSharpness, anEdgeWhereNobodyLookedOnSaysNothing) {
-  Grid partial = test::drawnHall(0.05, 0);
-  for (int y = 0; y < partial.frame.height; ++y)  // the east was never seen
-    for (int x = 0; x < partial.frame.width; ++x)
-      if (partial.frame.center({x, y}).x > 4)
-        partial.cells[partial.frame.index({x, y})] = State::unknown;
+  const Grid hall = test::drawnHall(0.05, 0);
+  const Grid partial = test::redrawn(hall, [&](Cell c) {  // the east was never seen
+    return hall.frame.center(c).x > 4 ? State::unknown : hall.at(c);
+  });
   EXPECT_NEAR(wallSharpness(partial).value(), 1, 0.06);
 }
 

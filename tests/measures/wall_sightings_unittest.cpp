@@ -8,6 +8,7 @@
 #include "drawn_building.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/relate/place_runs.h"
+#include "sampled_grid.h"
 
 namespace roomgraph {
 namespace {
@@ -17,11 +18,7 @@ using test::drawnBuilding;
 /** A building, cell by cell as `cellOf` says. */
 Grid edited(const std::function<State(const Grid&, Cell)>& cellOf) {
   const Grid grid = drawnBuilding(1, {2, 1, 0.3});
-  Grid result = grid;
-  for (int y = 0; y < grid.frame.height; ++y)
-    for (int x = 0; x < grid.frame.width; ++x)
-      result.cells[grid.frame.index({x, y})] = cellOf(grid, {x, y});
-  return result;
+  return test::redrawn(grid, [&](Cell c) { return cellOf(grid, c); });
 }
 
 /** Runs of one building: the first one is as given, the second one is bent, two more are sound. */

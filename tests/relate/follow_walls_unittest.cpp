@@ -9,6 +9,7 @@
 #include "drawn_building.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/geometry/MotionFit.h"
+#include "sampled_grid.h"
 
 namespace roomgraph {
 namespace {
@@ -71,11 +72,9 @@ TEST(FollowWalls, theBendOfAHalfTurnedMapIsThatOfItsDrawing) {
 
 /** The map with its right half moved up. */
 Grid torn(const Grid& grid, int cells) {
-  Grid result = grid;
-  for (int y = 0; y < grid.frame.height; ++y)
-    for (int x = grid.frame.width / 2; x < grid.frame.width; ++x)
-      result.cells[grid.frame.index({x, y})] = grid.atOrUnknown({x, y - cells});
-  return result;
+  return test::redrawn(grid, [&](Cell c) {
+    return c.x < grid.frame.width / 2 ? grid.at(c) : grid.atOrUnknown({c.x, c.y - cells});
+  });
 }
 
 TEST(FollowWalls, aPieceThatIsFarOffIsFoundByTheOtherPoses) {
@@ -93,13 +92,9 @@ TEST(FollowWalls, aPieceThatIsFarOffIsFoundByTheOtherPoses) {
 
 /** The map with a second copy of itself to its right. */
 Grid twice(const Grid& grid) {
-  Grid result = grid;
-  result.frame.width *= 2;
-  result.cells.resize(result.frame.cellCount());
-  for (int y = 0; y < result.frame.height; ++y)
-    for (int x = 0; x < result.frame.width; ++x)
-      result.cells[result.frame.index({x, y})] = grid.atOrUnknown({x % grid.frame.width, y});
-  return result;
+  Grid wide = grid;
+  wide.frame.width *= 2;
+  return test::redrawn(wide, [&](Cell c) { return grid.at({c.x % grid.frame.width, c.y}); });
 }
 
 TEST(FollowWalls, whatTheOtherHasNotSeenIsNoPieceOfItWhereItLooksAlike) {
