@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "sample_nights.h"
 
 namespace roomgraph {
@@ -48,24 +50,27 @@ TEST(WatchSite, theRobotThatGetsWorseAlarmsAndTheOtherDoesNot) {
   EXPECT_TRUE(watch.robots[1].errors.isAlarm());
 }
 
-/** Twelve sound nights of anna. */
-SiteHistory twelveNights() {
+/** Sound nights of anna, each as `change` leaves it. */
+SiteHistory nights(int count, const std::function<void(HistoryRun&, int)>& change = nullptr) {
   SiteHistory history;
-  for (int n = 0; n < 12; ++n) history.runs.push_back(historyRun("anna", n, 0.1));
+  for (int n = 0; n < count; ++n) {
+    history.runs.push_back(historyRun("anna", n, 0.1));
+    if (change) change(history.runs.back(), n);
+  }
   return history;
 }
 
 RobotWatch annaIn(const SiteHistory& history) { return watchSite(history, {}).robots.at(0); }
 
 TEST(WatchSite, aSoundMapMayBeRolledOut) {
-  const RobotWatch anna = annaIn(twelveNights());
+  const RobotWatch anna = annaIn(nights(12));
   EXPECT_EQ(anna.rollout, Rollout::yes);
   EXPECT_EQ(anna.advice, "yes, the map of 1970-01-12 may be rolled out");
   EXPECT_FALSE(anna.isAlarm());
 }
 
 TEST(WatchSite, aBadLatestMapIsNotRolledOutAndTheLastGoodOneStays) {
-  SiteHistory history = twelveNights();
+  SiteHistory history = nights(12);
   history.runs.push_back(historyRun("anna", 12, 2.5));
   EXPECT_EQ(annaIn(history).rollout, Rollout::no);
   EXPECT_EQ(annaIn(history).advice,
@@ -80,7 +85,7 @@ TEST(WatchSite, aBadLatestMapIsNotRolledOutAndTheLastGoodOneStays) {
 }
 
 TEST(WatchSite, aMapWhoseWallsAreDrawnThickIsNotRolledOut) {
-  SiteHistory history = twelveNights();
+  SiteHistory history = nights(12);
   for (HistoryRun& run : history.runs)
     run.figures.push_back({"wall_sharpness", 1.0, "1", 1000, {}, {}, true});
   EXPECT_EQ(annaIn(history).rollout, Rollout::yes);
@@ -91,7 +96,7 @@ TEST(WatchSite, aMapWhoseWallsAreDrawnThickIsNotRolledOut) {
 }
 
 TEST(WatchSite, ofAMapThatComesLateItTellsWhatWasKnownThen) {
-  SiteHistory history = twelveNights();
+  SiteHistory history = nights(12);
   for (HistoryRun& run : history.runs) run.sha256 = std::to_string(run.time);
   history.runs[6] = historyRun("anna", 6, 12);
   history.runs[6].sha256 = "late";
@@ -102,7 +107,7 @@ TEST(WatchSite, ofAMapThatComesLateItTellsWhatWasKnownThen) {
 
 TEST(WatchSite, aMapThatLacksMuchOrShowsWhatIsNotThereIsNotRolledOut) {
   const auto adviceWith = [](const char* name, double value) {
-    SiteHistory history = twelveNights();
+    SiteHistory history = nights(12);
     Measure figure = history.runs.back().figures.front();
     figure.name = name, figure.value = value;
     history.runs.back().figures.push_back(figure);
@@ -128,7 +133,7 @@ TEST(WatchSite, aMapThatLacksMuchOrShowsWhatIsNotThereIsNotRolledOut) {
 }
 
 TEST(WatchSite, ofTwoMapsOfOneDayTheTimesAreTold) {
-  SiteHistory history = twelveNights();
+  SiteHistory history = nights(12);
   history.runs.push_back(historyRun("anna", 11, 2.5));
   history.runs.back().time += 3600;
   EXPECT_EQ(annaIn(history).advice,
@@ -137,7 +142,7 @@ TEST(WatchSite, ofTwoMapsOfOneDayTheTimesAreTold) {
 }
 
 TEST(WatchSite, mapsThatTellNothingOfTheSiteAreAnAlarmFromTheSecondNightOn) {
-  SiteHistory history = twelveNights();
+  SiteHistory history = nights(12);
   for (int n = 12; n < 14; ++n) {
     HistoryRun run = historyRun("anna", n, 0.1);
     run.isPlaced = false, run.figures.clear();
@@ -174,13 +179,10 @@ TEST(WatchSite, aDoorThatIsWalledUpIsNamedWithItsNight) {
 }
 
 TEST(WatchSite, roomsThatGoOrGrowAreTold) {
-  SiteHistory history;
-  for (int n = 0; n < 20; ++n) {
-    HistoryRun run = historyRun("anna", n, 0.1);
+  const SiteHistory history = nights(20, [](HistoryRun& run, int n) {
     run.rooms = {seen("R1", 1, n < 10 ? 20 : 30), seen("R2", 1, 10)};
     if (n >= 12) run.rooms[1].sighting = RoomSighting::gone;
-    history.runs.push_back(run);
-  }
+  });
   const SiteWatch watch = watchSite(history, {});
   ASSERT_EQ(watch.changes.size(), 2U);
   EXPECT_EQ(changeText(watch.changes[0], history),
@@ -189,12 +191,8 @@ TEST(WatchSite, roomsThatGoOrGrowAreTold) {
 }
 
 TEST(WatchSite, theAreaOfACorridorIsNotAskedFor) {
-  SiteHistory history;
-  for (int n = 0; n < 20; ++n) {
-    HistoryRun run = historyRun("anna", n, 0.1);
-    run.rooms = {seen("C1", 1, n < 10 ? 20 : 30)};
-    history.runs.push_back(run);
-  }
+  SiteHistory history =
+      nights(20, [](HistoryRun& run, int n) { run.rooms = {seen("C1", 1, n < 10 ? 20 : 30)}; });
   EXPECT_EQ(watchSite(history, {}).changes.size(), 1U);
   SiteRoom corridor;
   corridor.id = "C1", corridor.isCorridor = true;
@@ -215,8 +213,7 @@ TEST(WatchSite, runsThatAreTornOrOfAnotherSiteSayNothingOfRooms) {
 }
 
 TEST(WatchSite, aTornMapIsNotTheLastGoodOne) {
-  SiteHistory history;
-  for (int n = 0; n < 6; ++n) history.runs.push_back(historyRun("anna", n, 0.1));
+  SiteHistory history = nights(6);
   history.runs[5].figures.push_back(history.runs[5].figures[0]);
   history.runs[5].figures.back().name = kBreaks;
   history.runs[5].figures.back().value = 1;
@@ -229,16 +226,11 @@ TEST(WatchSite, anEmptyHistorySaysNothing) {
   EXPECT_TRUE(watch.changes.empty());
 }
 
-/** Nights of one robot with these errors. */
-SiteHistory nightsOf(const std::vector<double>& errors) {
-  SiteHistory history;
-  for (std::size_t n = 0; n < errors.size(); ++n)
-    history.runs.push_back(historyRun("anna", int(n), errors[n]));
-  return history;
-}
-
 std::string sentenceOf(const std::vector<double>& errors, const WatchOptions& options = {}) {
-  return watchSite(nightsOf(errors), options).robots.at(0).sentence;
+  const auto setError = [&](HistoryRun& run, int n) {
+    run = historyRun("anna", n, errors[std::size_t(n)]);
+  };
+  return watchSite(nights(int(errors.size()), setError), options).robots.at(0).sentence;
 }
 
 TEST(WatchSite, aSentenceSaysWhatIsWrong) {
@@ -278,31 +270,23 @@ TEST(WatchSite, eachRobotIsJudgedByItself) {
 
 TEST(WatchSite, fourRunsAreNotEnoughForAChange) {
   for (const int since : {15, 16}) {  // of twenty nights, so that five or four have the new door
-    SiteHistory history;
-    for (int n = 0; n < 20; ++n) {
-      history.runs.push_back(historyRun("anna", n, 0.1));
-      history.runs.back().rooms = {seen("R1", n < since ? 2 : 3, 20)};
-    }
+    const SiteHistory history = nights(
+        20, [&](HistoryRun& run, int n) { run.rooms = {seen("R1", n < since ? 2 : 3, 20)}; });
     EXPECT_EQ(watchSite(history, {}).changes.size(), since == 15 ? 1u : 0u) << since;
   }
 }
 
 TEST(WatchSite, whatIsDrawnALittleLargerIsNoChange) {
-  SiteHistory history;
-  for (int n = 0; n < 20; ++n) {
-    history.runs.push_back(historyRun("anna", n, 0.1));
-    history.runs.back().rooms = {seen("R1", 2, n < 10 ? 20 : 22)};
-  }
+  const SiteHistory history =
+      nights(20, [](HistoryRun& run, int n) { run.rooms = {seen("R1", 2, n < 10 ? 20 : 22)}; });
   EXPECT_TRUE(watchSite(history, {}).changes.empty());
 }
 
 TEST(WatchSite, aRoomThatSomeRunsDoNotVisitIsStillThere) {
-  SiteHistory history;
-  for (int n = 0; n < 20; ++n) {
-    history.runs.push_back(historyRun("anna", n, 0.1));
-    history.runs.back().rooms = {seen("R1", 2, 20)};
-    if (n >= 8) history.runs.back().rooms[0].sighting = RoomSighting::unvisited;
-  }
+  const SiteHistory history = nights(20, [](HistoryRun& run, int n) {
+    run.rooms = {seen("R1", 2, 20)};
+    if (n >= 8) run.rooms[0].sighting = RoomSighting::unvisited;
+  });
   EXPECT_TRUE(watchSite(history, {}).changes.empty());
 }
 
