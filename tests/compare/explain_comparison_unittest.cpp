@@ -4,6 +4,8 @@
 
 #include <tuple>
 
+#include "occurrences.h"
+
 namespace roomgraph {
 namespace {
 
@@ -36,8 +38,8 @@ TEST(ReasonOf, saysHowFarTheWallsLieOff) {
             "its walls lie 0.20 m RMS from the consensus of 3 runs");
   Comparison alone = three;
   alone.runs[1].score->others = 0;
-  EXPECT_NE(reasonOf(alone.runs[1], alone).find("the consensus of 1 run"), std::string::npos);
-  EXPECT_EQ(reasonOf(alone.runs[1], alone).find("1 runs"), std::string::npos);
+  EXPECT_TRUE(test::has(reasonOf(alone.runs[1], alone), "the consensus of 1 run"));
+  EXPECT_FALSE(test::has(reasonOf(alone.runs[1], alone), "1 runs"));
   Comparison measured = three;
   measured.reference = "plan";
   EXPECT_EQ(reasonOf(measured.runs[0], measured), "its walls lie 0.10 m RMS from the reference");
@@ -54,17 +56,14 @@ TEST(ReasonOf, saysWhatNobodyBearsOut) {
   Comparison comparison = ofRuns({scored("a", 0.1), scored("b", 0.2), scored("c", 0.3)});
   RunScore& score = *comparison.runs[0].score;
   score.confirmed = 0.8;
-  EXPECT_NE(reasonOf(comparison.runs[0], comparison)
-                .find("; 20 % of what it has drawn no other run confirms"),
-            std::string::npos);
+  EXPECT_TRUE(test::has(reasonOf(comparison.runs[0], comparison),
+                        "; 20 % of what it has drawn no other run confirms"));
   score.contradicted = 0.2;
-  EXPECT_NE(reasonOf(comparison.runs[0], comparison)
-                .find("; others contradict 20 % of what it has drawn, and show it nowhere else"),
-            std::string::npos);
+  EXPECT_TRUE(test::has(reasonOf(comparison.runs[0], comparison),
+                        "; others contradict 20 % of what it has drawn, and show it nowhere else"));
   score.jitter = 0.14;
-  EXPECT_NE(reasonOf(comparison.runs[0], comparison)
-                .find("; its key frames are off by 0.14 m, independently of each other"),
-            std::string::npos);
+  EXPECT_TRUE(test::has(reasonOf(comparison.runs[0], comparison),
+                        "; its key frames are off by 0.14 m, independently of each other"));
 }
 
 TEST(VerdictOf, aMapThatNobodyBearsOutIsNotTheBest) {
@@ -73,8 +72,7 @@ TEST(VerdictOf, aMapThatNobodyBearsOutIsNotTheBest) {
   Comparison unconfirmed = comparison, smeared = comparison, disputed = comparison;
   unconfirmed.runs[0].score->confirmed = 0.6;
   EXPECT_EQ(verdictOf(unconfirmed).find("a has the smallest error"), 0u);
-  EXPECT_NE(verdictOf(unconfirmed).find("But a is confirmed by others in 60 % of what"),
-            std::string::npos);
+  EXPECT_TRUE(test::has(verdictOf(unconfirmed), "But a is confirmed by others in 60 % of what"));
   smeared.runs[0].score->jitter = 0.12;
   EXPECT_EQ(verdictOf(smeared).find("a has the smallest error"), 0u);
   disputed.runs[0].score->isScaleDisputed = true;
@@ -96,12 +94,11 @@ TEST(ReasonOf, namesWhatSpeaksAgainstARun) {
   torn.breaks[0].run = torn.breaks[2].run = "b", torn.breaks[1].run = "a";
   for (MapBreak& one : torn.breaks) one.shift = 0.5;
   torn.runs[1].score->share = 0.35, torn.runs[1].score->isMeaningful = false;
-  EXPECT_NE(reasonOf(torn.runs[0], torn).find("; it breaks in 1 place"), std::string::npos);
-  EXPECT_NE(
-      reasonOf(torn.runs[1], torn)
-          .find("; it breaks in 2 places; only 35 % of its walls were found in the other maps; "
-                "too little to judge by"),
-      std::string::npos);
+  EXPECT_TRUE(test::has(reasonOf(torn.runs[0], torn), "; it breaks in 1 place"));
+  EXPECT_TRUE(
+      test::has(reasonOf(torn.runs[1], torn),
+                "; it breaks in 2 places; only 35 % of its walls were found in the other maps; "
+                "too little to judge by"));
 }
 
 TEST(ReasonOf, saysHowFarTheScaleIsOff) {
@@ -129,12 +126,10 @@ TEST(ReasonOf, saysWhyThereIsNoScore) {
 TEST(VerdictOf, namesTheBestAndThoseThatMayBeAsGood) {
   EXPECT_EQ(verdictOf(ofRuns({scored("a", 0.1), scored("b", 0.4), scored("c", 0.5)})),
             "a is the best map, with score 90.0 (85.0 to 95.0) and a map error of about 0.10 m.");
-  EXPECT_NE(verdictOf(ofRuns({scored("a", 0.1), scored("b", 0.15), scored("c", 0.5)}))
-                .find("; b may be as good."),
-            std::string::npos);
-  EXPECT_NE(verdictOf(ofRuns({scored("a", 0.1), scored("b", 0.12), scored("c", 0.15)}))
-                .find("; b and c may be as good."),
-            std::string::npos);
+  EXPECT_TRUE(test::has(verdictOf(ofRuns({scored("a", 0.1), scored("b", 0.15), scored("c", 0.5)})),
+                        "; b may be as good."));
+  EXPECT_TRUE(test::has(verdictOf(ofRuns({scored("a", 0.1), scored("b", 0.12), scored("c", 0.15)})),
+                        "; b and c may be as good."));
 }
 
 TEST(ReasonOf, saysWherePlacesAreDoubtful) {
@@ -146,15 +141,14 @@ TEST(ReasonOf, saysWherePlacesAreDoubtful) {
     comparison.pairs.push_back(pair);
   }
   const std::string doubt = "; doubtful, as no reliable alignment links it to most of the others";
-  EXPECT_EQ(reasonOf(comparison.runs[0], comparison).find(doubt), std::string::npos);
-  EXPECT_NE(reasonOf(comparison.runs[2], comparison).find(doubt), std::string::npos);
+  EXPECT_FALSE(test::has(reasonOf(comparison.runs[0], comparison), doubt));
+  EXPECT_TRUE(test::has(reasonOf(comparison.runs[2], comparison), doubt));
   EXPECT_EQ(verdictOf(comparison).rfind("a is the best map", 0), 0u);
   comparison.pairs[0].confidence = 0.7;
   const std::string said = verdictOf(comparison);
   EXPECT_EQ(said.rfind("a has the smallest error", 0), 0u) << said;
-  EXPECT_NE(
-      said.find("m; b may be as good. But a has no reliable alignment to most of the others."),
-      std::string::npos)
+  EXPECT_TRUE(test::has(
+      said, "m; b may be as good. But a has no reliable alignment to most of the others."))
       << said;
 }
 
@@ -173,8 +167,8 @@ TEST(VerdictOf, aReferenceThatIsFoundInPartsOnlyIsNamed) {
       verdictOf(broken).rfind(said + "cannot be measured (36 % of what it and the reference", 0),
       0u)
       << verdictOf(broken);
-  EXPECT_NE(reasonOf(broken.runs[0], broken).find("; 36 % of what it and the reference found"),
-            std::string::npos);
+  EXPECT_TRUE(
+      test::has(reasonOf(broken.runs[0], broken), "; 36 % of what it and the reference found"));
   broken.runs[0].score->givenUp = 0.05;
   EXPECT_EQ(broken.faultOfReference(broken.runs[0]), "");
 }
@@ -188,9 +182,9 @@ TEST(VerdictOf, aReferenceThatBreaksIsNamed) {
   const std::string fault =
       "the reference itself breaks at key frame 117, by 6.0 degrees and 0.30 m";
   EXPECT_EQ(broken.faultOfReference(broken.runs[0]), fault);
-  EXPECT_NE(verdictOf(broken).find("But a cannot be measured (" + fault + ")."), std::string::npos)
+  EXPECT_TRUE(test::has(verdictOf(broken), "But a cannot be measured (" + fault + ")."))
       << verdictOf(broken);
-  EXPECT_NE(reasonOf(broken.runs[1], broken).find("; " + fault), std::string::npos);
+  EXPECT_TRUE(test::has(reasonOf(broken.runs[1], broken), "; " + fault));
 }
 
 TEST(VerdictOf, aMapOfAPartIsNotCalledTheBest) {
@@ -198,12 +192,10 @@ TEST(VerdictOf, aMapOfAPartIsNotCalledTheBest) {
   partial.runs[0].measures = {{"coverage", 0.42, "1", 5000, {}, {}, true}};
   const std::string said = verdictOf(partial);
   EXPECT_EQ(said.rfind("a has the smallest error", 0), 0u) << said;
-  EXPECT_NE(said.find(" m. But a has seen only 42 % of what at least two runs have seen."),
-            std::string::npos)
+  EXPECT_TRUE(test::has(said, " m. But a has seen only 42 % of what at least two runs have seen."))
       << said;
   partial.runs[0].score->isMeaningful = false;
-  EXPECT_NE(verdictOf(partial).find("two runs have seen and has too little to judge by."),
-            std::string::npos);
+  EXPECT_TRUE(test::has(verdictOf(partial), "two runs have seen and has too little to judge by."));
   partial.runs[0].score->isMeaningful = true;
   partial.runs[0].measures[0].isMeaningful = false;
   EXPECT_EQ(verdictOf(partial).rfind("a is the best map", 0), 0u) << "too little to say so";
@@ -212,14 +204,13 @@ TEST(VerdictOf, aMapOfAPartIsNotCalledTheBest) {
 TEST(VerdictOf, aMapWithAPlaceThatNoOtherShowsIsNotCalledTheBest) {
   Comparison wrong = ofRuns({scored("a", 0.1), scored("b", 0.4), scored("c", 0.5)});
   wrong.runs[0].measures = {{"walls_added", 0.62, "1", 5000, {}, {}, true, Point{1, 2}}};
-  EXPECT_NE(verdictOf(wrong).find("But a has a place where others show no such walls, round "
-                                  "(1.0, 2.0)."),
-            std::string::npos)
+  EXPECT_TRUE(test::has(verdictOf(wrong),
+                        "But a has a place where others show no such walls, round "
+                        "(1.0, 2.0)."))
       << verdictOf(wrong);
-  EXPECT_EQ(verdictOf(wrong).find("best map"), std::string::npos);
-  EXPECT_NE(reasonOf(wrong.runs[0], wrong)
-                .find("round (1.0, 2.0) 62 % of its walls stand in free space of the others"),
-            std::string::npos);
+  EXPECT_FALSE(test::has(verdictOf(wrong), "best map"));
+  EXPECT_TRUE(test::has(reasonOf(wrong.runs[0], wrong),
+                        "round (1.0, 2.0) 62 % of its walls stand in free space of the others"));
 }
 
 TEST(VerdictOf, oneRunBesideAReferenceIsNotRanked) {
@@ -234,17 +225,17 @@ TEST(VerdictOf, editsOfOneMapSayNothingMore) {
   edits.pairs.resize(1);
   edits.pairs[0].a = "b", edits.pairs[0].b = "c", edits.pairs[0].areEdits = true;
   edits.runs[0].score->isMeaningful = false;
-  EXPECT_NE(verdictOf(edits).find("a, with the smallest error (about 0.10 m), can be compared with "
-                                  "one other map at most, as the rest are copies or edits."),
-            std::string::npos)
+  EXPECT_TRUE(test::has(verdictOf(edits),
+                        "a, with the smallest error (about 0.10 m), can be compared with "
+                        "one other map at most, as the rest are copies or edits."))
       << verdictOf(edits);
 }
 
 TEST(VerdictOf, aMapWithAPlaceThatNoOtherShowsIsNotAsGood) {
   Comparison close = ofRuns({scored("a", 0.1), scored("b", 0.1), scored("c", 0.5)});
-  EXPECT_NE(verdictOf(close).find("b may be as good"), std::string::npos) << verdictOf(close);
+  EXPECT_TRUE(test::has(verdictOf(close), "b may be as good")) << verdictOf(close);
   close.runs[1].measures = {{"walls_added", 0.62, "1", 5000, {}, {}, true, Point{1, 2}}};
-  EXPECT_EQ(verdictOf(close).find("may be as good"), std::string::npos);
+  EXPECT_FALSE(test::has(verdictOf(close), "may be as good"));
 }
 
 TEST(VerdictOf, aMapThatMayLieInTheWrongPlaceIsNotAsGood) {
@@ -256,7 +247,7 @@ TEST(VerdictOf, aMapThatMayLieInTheWrongPlaceIsNotAsGood) {
     close.pairs.push_back(pair);
   }
   ASSERT_EQ(close.certaintyOf(close.runs[1]), Certainty::doubtful);
-  EXPECT_EQ(verdictOf(close).find("may be as good"), std::string::npos) << verdictOf(close);
+  EXPECT_FALSE(test::has(verdictOf(close), "may be as good")) << verdictOf(close);
 }
 
 TEST(VerdictOf, copiesOfOneFileSayNothing) {
@@ -265,7 +256,7 @@ TEST(VerdictOf, copiesOfOneFileSayNothing) {
   EXPECT_EQ(verdictOf(copies),
             "All 3 runs are copies of one file, which say nothing about each other.");
   EXPECT_EQ(copiesNote(copies), "") << "it is said already";
-  EXPECT_NE(reasonOf(copies.runs[2], copies).find("; a copy of a"), std::string::npos);
+  EXPECT_TRUE(test::has(reasonOf(copies.runs[2], copies), "; a copy of a"));
   copies.pairs[0].areCopies = copies.pairs[2].areCopies = false;
   EXPECT_EQ(verdictOf(copies).rfind("a has the smallest error", 0), 0u) << verdictOf(copies);
   EXPECT_EQ(copiesNote(copies), " a#3 is a copy of a.");
@@ -285,8 +276,8 @@ TEST(Notes, editsCountAsOneDrive) {
 }
 
 TEST(VerdictOf, saysWhereNothingCanBeSaid) {
-  EXPECT_NE(verdictOf({}).find("nothing can be compared"), std::string::npos);
-  EXPECT_NE(verdictOf(ofRuns({{}, {}})).find("no walls could be followed"), std::string::npos);
+  EXPECT_TRUE(test::has(verdictOf({}), "nothing can be compared"));
+  EXPECT_TRUE(test::has(verdictOf(ofRuns({{}, {}})), "no walls could be followed"));
   EXPECT_EQ(verdictOf(ofRuns({scored("a", 0.1), scored("b", 0.4)})),
             "Two runs cannot tell for sure which is better: they bend 0.30 m apart.");
 }
@@ -301,8 +292,7 @@ TEST(Notes, sayHowManyCellsAnErrorIsWhereNoMapTellsAScale) {
   EXPECT_EQ(usualScaleNote(comparison), "");
   comparison.runs.resize(2);
   for (ComparedRun& run : comparison.runs) run.resolution = 0.02, run.isScaleEstimated = true;
-  EXPECT_NE(usualScaleNote(comparison).find("so an error of 0.10 m stands for 5 cells"),
-            std::string::npos);
+  EXPECT_TRUE(test::has(usualScaleNote(comparison), "so an error of 0.10 m stands for 5 cells"));
   comparison.runs[1].isScaleEstimated = false;
   EXPECT_EQ(usualScaleNote(comparison), "");
 }
