@@ -19,11 +19,11 @@ Inside twoRooms(int width, int wall) {
 /** The regions left of the wall, in the door, and right of it. */
 class DividedRooms {
  public:
-  DividedRooms(const Inside& inside, int wall)
+  DividedRooms(const Inside& inside, int wall, const SplitAtDoorsOptions& options = {})
       : inside_(inside),
         from_(0.2 * wall),
         to_(0.2 * (wall + 4)),
-        regions_(inside.voronoi, inside.isInside, 0.15, 0.1) {
+        regions_(inside.voronoi, inside.isInside, 0.15, 0.1, options) {
     for (std::uint32_t v = 0; v < inside.isInside.size(); ++v) {
       if (!inside.isInside[v]) continue;
       std::optional<std::uint32_t>& first = first_[sideOf(v)];
@@ -34,7 +34,7 @@ class DividedRooms {
     regions_.sumWalls(std::vector<std::uint8_t>(inside.voronoi.obstacles.size(), 1));
   }
 
-  void run(const SplitAtDoorsOptions& options) { joinLeftovers(regions_, options); }
+  void run() { joinLeftovers(regions_); }
 
   std::uint32_t left() { return regions_.find(*first_[0]); }
   std::uint32_t door() { return regions_.find(*first_[1]); }
@@ -56,7 +56,7 @@ TEST(JoinLeftovers, aDoorFrameJoinsTheLargerRoom) {
   const Inside inside = twoRooms(45, 20);
   DividedRooms rooms(inside, 20);
   ASSERT_NE(rooms.door(), rooms.right());
-  rooms.run({});
+  rooms.run();
   EXPECT_EQ(rooms.door(), rooms.right());
   EXPECT_NE(rooms.left(), rooms.right());
 }
@@ -65,17 +65,17 @@ TEST(JoinLeftovers, betweenEqualNeighboursNothingIsJoined) {
   // Else the pose of the map would decide.
   const Inside inside = twoRooms(44, 21);
   DividedRooms rooms(inside, 21);
-  rooms.run({});
+  rooms.run();
   EXPECT_NE(rooms.door(), rooms.left());
   EXPECT_NE(rooms.door(), rooms.right());
 }
 
 TEST(JoinLeftovers, whatIsLargeAndLongEnoughStays) {
   const Inside inside = twoRooms(45, 20);
-  DividedRooms rooms(inside, 20);
   SplitAtDoorsOptions options;
   options.maxLeftoverArea = options.minElongation = 0;
-  rooms.run(options);
+  DividedRooms rooms(inside, 20, options);
+  rooms.run();
   EXPECT_NE(rooms.door(), rooms.left());
   EXPECT_NE(rooms.door(), rooms.right());
 }

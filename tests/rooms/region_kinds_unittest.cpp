@@ -20,7 +20,7 @@ class Kinds {
       const std::function<bool(Point)>& isWall = [](Point) { return true; })
       : inside_(plan.inside()) {
     const double cell = inside_.grid.frame.resolution;
-    RegionGroups regions(inside_.voronoi, inside_.isInside, 0.75 * cell, cell / 2);
+    RegionGroups regions(inside_.voronoi, inside_.isInside, 0.75 * cell, cell / 2, options);
     for (const std::uint32_t e : regions.edges()) {
       const VoronoiEdge& edge = inside_.voronoi.edges[e];
       if (regions.clearance(edge) >= 0.6) regions.join(edge.source, edge.target);
@@ -29,8 +29,8 @@ class Kinds {
     std::vector<std::uint8_t> walls;
     for (const Point obstacle : inside_.voronoi.obstacles) walls.push_back(isWall(obstacle));
     regions.sumWalls(walls);
-    joinLeftovers(regions, options);
-    kinds_ = regionKinds(regions, options, ownWidths(regions, walls));
+    joinLeftovers(regions);
+    kinds_ = regionKinds(regions, ownWidths(regions, walls));
     for (std::uint32_t v = 0; v < kinds_.size(); ++v) kinds_[v] = kinds_[regions.find(v)];
   }
 

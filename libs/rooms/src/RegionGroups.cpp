@@ -27,8 +27,9 @@ std::vector<std::uint32_t> edgesByWidth(const VoronoiGraph& voronoi, const Insid
 }  // namespace
 
 RegionGroups::RegionGroups(const VoronoiGraph& voronoi, const InsideFlags& isInside,
-                           double minClearance, double halfCell)
+                           double minClearance, double halfCell, const SplitAtDoorsOptions& options)
     : halfCell_(halfCell),
+      options_(options),
       voronoi_(voronoi),
       isInside_(isInside),
       edges_(edgesByWidth(voronoi, isInside, minClearance)),

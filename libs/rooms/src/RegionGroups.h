@@ -7,6 +7,7 @@
 
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/geometry/Polyline.h"
+#include "roomgraph/rooms/SplitAtDoorsOptions.h"
 #include "roomgraph/topology/VoronoiGraph.h"
 #include "roomgraph/topology/keep_inside.h"
 
@@ -35,13 +36,14 @@ class RegionGroups {
    *  are cells, and reach `halfCell` beyond their centres [m]: all widths here are free of them, so
    *  that they do not depend on the map's resolution. */
   RegionGroups(const VoronoiGraph& voronoi, const InsideFlags& isInside, double minClearance,
-               double halfCell);
+               double halfCell, const SplitAtDoorsOptions& options = {});
 
   /** The edges between vertices inside, from wide to narrow; after keepPassages() those between
    *  different regions. */
   const std::vector<std::uint32_t>& edges() const { return edges_; }
   const VoronoiGraph& voronoi() const { return voronoi_; }
   const InsideFlags& isInside() const { return isInside_; }
+  const SplitAtDoorsOptions& options() const { return options_; }
   UnionFind& groups() { return groups_; }
 
   std::uint32_t find(std::uint32_t vertex) { return groups_.find(vertex); }
@@ -82,6 +84,12 @@ class RegionGroups {
           visit(edge, end, std::abs(cross(voronoi_.vertices[end].place - left, across)) / 2);
     }
   }
+  /** Calls `visit` with each region, in ascending order. */
+  template <class Visit>
+  void eachRegion(const Visit& visit) {
+    for (std::uint32_t v = 0; v < isInside_.size(); ++v)
+      if (isInside_[v] && find(v) == v) visit(v);
+  }
   /** Who meets whom where. O(passages). */
   AllNeighbours neighbours();
 
@@ -98,6 +106,7 @@ class RegionGroups {
   }
 
   double halfCell_;
+  SplitAtDoorsOptions options_;
   const VoronoiGraph& voronoi_;
   const InsideFlags& isInside_;
   std::vector<std::uint32_t> edges_;

@@ -18,37 +18,46 @@ constexpr double kSameSide = 0.5;
 using WaysOn = std::map<std::uint32_t, std::vector<Point>>;  // by region, unit vectors out of it
 
 /** A corridor is narrower at doors that open into it: those do not part it. */
-void joinPieces(RegionGroups& regions, const SplitAtDoorsOptions& options,
-                const std::vector<RegionKind>& kinds) {
+void joinPieces(RegionGroups& regions, const std::vector<RegionKind>& kinds) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pieces;
   for (const auto& [region, around] : regions.neighbours())
     for (const auto& [other, passage] : around)
       if (kinds[region] == RegionKind::corridor && kinds[other] == RegionKind::corridor &&
-          !isDoor(regions, passage.clearance, region, other, options.corridorRatio,
-                  options.corridorDoor))
+          !isDoor(regions, passage.clearance, region, other, regions.options().corridorRatio,
+                  regions.options().corridorDoor))
         pieces.push_back({region, other});
   for (const auto& [a, b] : pieces) regions.join(a, b);
 }
 
 /** Narrower than halls are: the wider it is, the longer it has to be. */
-bool hasCorridorWidth(const RegionGroups& regions, const SplitAtDoorsOptions& options,
-                      std::uint32_t region) {
-  const double length = std::min(1.0, regions.elongation(region) / options.maxElongation);
-  const double widest = std::max(options.maxWidth, options.maxCorridorWidth * length);
+bool hasCorridorWidth(const RegionGroups& regions, std::uint32_t region) {
+  const double length = std::min(1.0, regions.elongation(region) / regions.options().maxElongation);
+  const double widest =
+      std::max(regions.options().maxWidth, regions.options().maxCorridorWidth * length);
   return 2 * regions.radius(region) * (1 + kSameWidth) < widest;
+}
+
+/** Rooms that may be pieces of a corridor by their width. */
+std::vector<std::uint32_t> narrowRooms(RegionGroups& regions,
+                                       const std::vector<RegionKind>& kinds) {
+  std::vector<std::uint32_t> narrow;
+  regions.eachRegion([&](std::uint32_t region) {
+    if (kinds[region] == RegionKind::room && hasCorridorWidth(regions, region))
+      narrow.push_back(region);
+  });
+  return narrow;
 }
 
 /** Rooms in a row that only pilasters or cabinets part: those are pieces of a corridor where they
  *  are as long as one together, though none of them is by itself. */
 class Chains {
  public:
-  Chains(RegionGroups& regions, const SplitAtDoorsOptions& options,
-         const std::vector<RegionKind>& kinds)
-      : regions_(regions), options_(options), chains_(kinds.size()), isLink_(kinds.size()) {
-    for (std::uint32_t v = 0; v < kinds.size(); ++v)
-      if (kinds[v] == RegionKind::room && regions.find(v) == v &&
-          hasCorridorWidth(regions, options, v))
-        links_.push_back(v), isLink_[v] = 1;
+  Chains(RegionGroups& regions, const std::vector<RegionKind>& kinds)
+      : regions_(regions),
+        chains_(kinds.size()),
+        links_(narrowRooms(regions, kinds)),
+        isLink_(kinds.size()) {
+    for (const std::uint32_t region : links_) isLink_[region] = 1;
   }
 
   /** Those that are pieces of a corridor. */
@@ -57,7 +66,7 @@ class Chains {
       for (const auto& [other, passage] : around)
         if (areLinked(region, other, passage.clearance)) chains_.join(region, other);
       // Between pilasters that are thick, and two equal pieces, a leftover belongs to neither.
-      if (around.size() == 2 && regions_.elongation(region) < options_.minElongation &&
+      if (around.size() == 2 && regions_.elongation(region) < regions_.options().minElongation &&
           areLinked(around[0].first, around[1].first, narrower(around)))
         chains_.join(around[0].first, around[1].first);
     }
@@ -88,16 +97,16 @@ class Chains {
     const double narrow = std::min(regions_.radius(a), regions_.radius(b));
     const double wide = std::max(regions_.radius(a), regions_.radius(b));
     return isLink_[a] && isLink_[b] && wide <= narrow * std::sqrt(2.0) * (1 + kSameWidth) &&
-           clearance >= options_.corridorRatio * narrow * (1 - kSameWidth);
+           clearance >= regions_.options().corridorRatio * narrow * (1 - kSameWidth);
   }
 
   bool isLong(const Chain& chain) const {
     const double side = 2 * chain.radius;
-    return chain.count > 1 && chain.area > kLongerThanOthers * options_.maxElongation * side * side;
+    return chain.count > 1 &&
+           chain.area > kLongerThanOthers * regions_.options().maxElongation * side * side;
   }
 
   RegionGroups& regions_;
-  const SplitAtDoorsOptions& options_;
   UnionFind chains_;
   std::vector<std::uint32_t> links_;
   std::vector<std::uint8_t> isLink_;  // per region
@@ -113,13 +122,11 @@ bool leadOnTwoSides(const std::vector<Point>& waysOn) {
 /** Rooms that may be pieces of corridor, until what they lead to is known to be none. */
 class Pieces {
  public:
-  Pieces(RegionGroups& regions, const SplitAtDoorsOptions& options,
-         const std::vector<RegionKind>& kinds)
-      : regions_(regions), options_(options), kinds_(kinds), mayBe_(kinds.size()) {
-    for (std::uint32_t v = 0; v < kinds.size(); ++v)
-      if (kinds[v] == RegionKind::room && regions.find(v) == v &&
-          hasCorridorWidth(regions, options, v))
-        found_.push_back(v);
+  Pieces(RegionGroups& regions, const std::vector<RegionKind>& kinds)
+      : regions_(regions),
+        kinds_(kinds),
+        found_(narrowRooms(regions, kinds)),
+        mayBe_(kinds.size()) {
     for (const std::uint32_t v : found_) mayBe_[v] = 1;
   }
 
@@ -161,7 +168,7 @@ class Pieces {
     return mayBe_[region] && (mayBe_[other] || kinds_[other] == RegionKind::corridor) &&
            width * (1 + kSameWidth) <
                std::sqrt(2.0) * std::max(regions_.meanWidth(other), isLong ? 2 * clearance : 0) &&
-           2 * clearance >= options_.narrowRatio * width * (1 - kSameWidth);
+           2 * clearance >= regions_.options().narrowRatio * width * (1 - kSameWidth);
   }
 
   /** Across the passage, from the source's region to the target's. */
@@ -174,7 +181,6 @@ class Pieces {
   }
 
   RegionGroups& regions_;
-  const SplitAtDoorsOptions& options_;
   const std::vector<RegionKind>& kinds_;
   std::vector<std::uint32_t> found_;
   std::vector<std::uint8_t> mayBe_;  // per region
@@ -182,16 +188,15 @@ class Pieces {
 
 }  // namespace
 
-void followCorridors(RegionGroups& regions, const SplitAtDoorsOptions& options,
-                     std::vector<RegionKind>& kinds) {
-  for (const std::uint32_t region : Chains(regions, options, kinds).find())
+void followCorridors(RegionGroups& regions, std::vector<RegionKind>& kinds) {
+  for (const std::uint32_t region : Chains(regions, kinds).find())
     kinds[region] = RegionKind::corridor;
-  joinPieces(regions, options, kinds);
+  joinPieces(regions, kinds);
   for (;;) {
-    const std::vector<std::uint32_t> found = Pieces(regions, options, kinds).find();
+    const std::vector<std::uint32_t> found = Pieces(regions, kinds).find();
     if (found.empty()) return;
     for (const std::uint32_t region : found) kinds[region] = RegionKind::corridor;
-    joinPieces(regions, options, kinds);
+    joinPieces(regions, kinds);
   }
 }
 

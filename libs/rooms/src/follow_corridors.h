@@ -3,7 +3,6 @@
 
 #include "RegionGroups.h"
 #include "number_regions.h"
-#include "roomgraph/rooms/SplitAtDoorsOptions.h"
 
 namespace roomgraph {
 
@@ -12,7 +11,6 @@ namespace roomgraph {
  *  and is no wider than that by the mean over its whole length; or, where it is longer than a
  *  niche, no wider by that mean than what opens into it. All at once, so no order matters.
  *  Needs areas and wall shares. O(p log p) in the passages, for each time that more are found. */
-void followCorridors(RegionGroups& regions, const SplitAtDoorsOptions& options,
-                     std::vector<RegionKind>& kinds);
+void followCorridors(RegionGroups& regions, std::vector<RegionKind>& kinds);
 
 }  // namespace roomgraph

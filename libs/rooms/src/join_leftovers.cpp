@@ -10,28 +10,25 @@ using Neighbours = RegionGroups::Neighbours;
 /** Sums of areas that differ by less than this share are equal. */
 constexpr double kSameArea = 1e-6;
 
-bool isLeftover(const RegionGroups& regions, const SplitAtDoorsOptions& options,
-                std::uint32_t region) {
+bool isLeftover(const RegionGroups& regions, std::uint32_t region) {
   // A door frame is wider than it is deep; the disc in a room leaves at most its corners over.
-  return regions.elongation(region) < options.minElongation ||
-         regions.area(region) < options.maxLeftoverArea;
+  return regions.elongation(region) < regions.options().minElongation ||
+         regions.area(region) < regions.options().maxLeftoverArea;
 }
 
-bool isNarrow(const RegionGroups& regions, const SplitAtDoorsOptions& options,
-              std::uint32_t region) {
-  return 2 * regions.radius(region) < options.openRoomWidth * (1 - kSameWidth);
+bool isNarrow(const RegionGroups& regions, std::uint32_t region) {
+  return 2 * regions.radius(region) < regions.options().openRoomWidth * (1 - kSameWidth);
 }
 
-bool isLong(const RegionGroups& regions, const SplitAtDoorsOptions& options, std::uint32_t region) {
-  return regions.elongation(region) > options.maxElongation &&
-         2 * regions.radius(region) <= options.maxCorridorWidth;
+bool isLong(const RegionGroups& regions, std::uint32_t region) {
+  return regions.elongation(region) > regions.options().maxElongation &&
+         2 * regions.radius(region) <= regions.options().maxCorridorWidth;
 }
 
 /** The one wider neighbour that a region opens into with nearly its whole width; none where there
  *  are several, or where it is long. What comes back to it is short. */
-std::uint32_t openTo(const RegionGroups& regions, const SplitAtDoorsOptions& options,
-                     std::uint32_t region, const Neighbours& around) {
-  const double width = options.maxRatio * regions.radius(region) * (1 - kSameWidth);
+std::uint32_t openTo(const RegionGroups& regions, std::uint32_t region, const Neighbours& around) {
+  const double width = regions.options().maxRatio * regions.radius(region) * (1 - kSameWidth);
   std::uint32_t found = Regions::kNone;
   for (const auto& [other, passage] : around) {
     if (passage.clearance < width) continue;
@@ -45,20 +42,18 @@ std::uint32_t openTo(const RegionGroups& regions, const SplitAtDoorsOptions& opt
 
 /** A narrow region that opens into one other and nowhere else: the space between a bed and the
  *  wall, a niche, the way round a table. */
-bool isAlcove(const RegionGroups& regions, const SplitAtDoorsOptions& options, std::uint32_t region,
-              const Neighbours& around) {
-  return around.size() == 1 && isNarrow(regions, options, region) &&
-         openTo(regions, options, region, around) != Regions::kNone;
+bool isAlcove(const RegionGroups& regions, std::uint32_t region, const Neighbours& around) {
+  return around.size() == 1 && isNarrow(regions, region) &&
+         openTo(regions, region, around) != Regions::kNone;
 }
 
 /** A wider one that opens into a room; all other ways out of it are doors. What opens into a
  *  corridor is a room, and a fan of beams stays apart. */
-bool isBay(const RegionGroups& regions, const SplitAtDoorsOptions& options, std::uint32_t region,
-           const Neighbours& around) {
-  if (isNarrow(regions, options, region) || regions.wallShare(region) < options.minWallShare)
+bool isBay(const RegionGroups& regions, std::uint32_t region, const Neighbours& around) {
+  if (isNarrow(regions, region) || regions.wallShare(region) < regions.options().minWallShare)
     return false;
-  const std::uint32_t room = openTo(regions, options, region, around);
-  return room != Regions::kNone && !isLong(regions, options, room);
+  const std::uint32_t room = openTo(regions, region, around);
+  return room != Regions::kNone && !isLong(regions, room);
 }
 
 /** The neighbour behind the widest passage; of several as wide the largest. None where these are
@@ -97,12 +92,12 @@ bool joinAll(RegionGroups& regions, const IsOne& isOne) {
 
 }  // namespace
 
-void joinLeftovers(RegionGroups& regions, const SplitAtDoorsOptions& options) {
+void joinLeftovers(RegionGroups& regions) {
   const auto isSmall = [&](std::uint32_t region, const Neighbours& around) {
-    return isLeftover(regions, options, region) || isAlcove(regions, options, region, around);
+    return isLeftover(regions, region) || isAlcove(regions, region, around);
   };
   const auto isBayOf = [&](std::uint32_t region, const Neighbours& around) {
-    return isBay(regions, options, region, around);
+    return isBay(regions, region, around);
   };
   do  // a region has its whole shape only when its corners have joined it
     while (joinAll(regions, isSmall)) {
@@ -110,12 +105,11 @@ void joinLeftovers(RegionGroups& regions, const SplitAtDoorsOptions& options) {
   while (joinAll(regions, isBayOf));
 }
 
-void joinDoorFrames(RegionGroups& regions, const SplitAtDoorsOptions& options,
-                    std::vector<RegionKind>& kinds) {
+void joinDoorFrames(RegionGroups& regions, std::vector<RegionKind>& kinds) {
   const auto isRoom = [&](const auto& way) { return kinds[way.first] == RegionKind::room; };
   for (const auto& [region, around] : regions.neighbours()) {
     if (around.size() != 2 || !std::all_of(around.begin(), around.end(), isRoom)) continue;
-    if (!isLeftover(regions, options, region)) continue;
+    if (!isLeftover(regions, region)) continue;
     kinds[region] = RegionKind::room;
     regions.join(region, around.front().first);
   }

@@ -3,7 +3,6 @@
 
 #include "RegionGroups.h"
 #include "region_kinds.h"
-#include "roomgraph/rooms/SplitAtDoorsOptions.h"
 
 namespace roomgraph {
 
@@ -11,11 +10,10 @@ namespace roomgraph {
 constexpr double kDeepestAlcove = 2.5;
 
 /** Joins what is too small for an area of its own with a neighbour each. Needs areas. */
-void joinLeftovers(RegionGroups& regions, const SplitAtDoorsOptions& options);
+void joinLeftovers(RegionGroups& regions);
 
 /** What is left over between two equal rooms is the frame of a door, and no area of its own. It
  *  joins one of them; the map's pose decides which. */
-void joinDoorFrames(RegionGroups& regions, const SplitAtDoorsOptions& options,
-                    std::vector<RegionKind>& kinds);
+void joinDoorFrames(RegionGroups& regions, std::vector<RegionKind>& kinds);
 
 }  // namespace roomgraph

@@ -59,36 +59,36 @@ using Neighbours = RegionGroups::Neighbours;
  *  between benches is as long as many a corridor. */
 constexpr double kBlindElongation = 2.5;
 
-bool hasLittleWall(const RegionGroups& regions, const SplitAtDoorsOptions& options,
-                   std::uint32_t region) {
-  return regions.wallShare(region) < options.minWallShare;
+bool hasLittleWall(const RegionGroups& regions, std::uint32_t region) {
+  return regions.wallShare(region) < regions.options().minWallShare;
 }
 
 /** Those that a way out leads to: through a window beams go, but nobody else. */
-Neighbours seenOnes(const RegionGroups& regions, const SplitAtDoorsOptions& options,
-                    Neighbours around) {
-  const auto isUnseen = [&](const auto& way) { return hasLittleWall(regions, options, way.first); };
+Neighbours seenOnes(const RegionGroups& regions, Neighbours around) {
+  const auto isUnseen = [&](const auto& way) { return hasLittleWall(regions, way.first); };
   around.erase(std::remove_if(around.begin(), around.end(), isUnseen), around.end());
   return around;
 }
 
 /** Whether it is short, and all openings of it are narrow beside it; `exits` are its ways out. */
-bool isBehindDoors(const RegionGroups& regions, const SplitAtDoorsOptions& options,
-                   std::uint32_t region, const Neighbours& around, const Neighbours& exits) {
+bool isBehindDoors(const RegionGroups& regions, std::uint32_t region, const Neighbours& around,
+                   const Neighbours& exits) {
   double widest = 0;
   for (const auto& [other, passage] : around) widest = std::max(widest, passage.clearance);
-  const double longest = options.maxElongation * (exits.size() == 1 ? kLongerThanOthers : 1);
+  const double longest =
+      regions.options().maxElongation * (exits.size() == 1 ? kLongerThanOthers : 1);
   return regions.elongation(region) <= longest &&
-         widest < options.maxRatio * regions.radius(region) * (1 - kSameWidth);
+         widest < regions.options().maxRatio * regions.radius(region) * (1 - kSameWidth);
 }
 
 /** Whether doors close it that would part two pieces of corridor, too. */
-bool isBehindNarrowDoors(const RegionGroups& regions, const SplitAtDoorsOptions& options,
-                         std::uint32_t region, const Neighbours& around) {
+bool isBehindNarrowDoors(const RegionGroups& regions, std::uint32_t region,
+                         const Neighbours& around) {
   return std::all_of(around.begin(), around.end(), [&](const auto& way) {
     const double clearance = way.second.clearance;
-    return clearance < options.corridorRatio * regions.radius(region) * (1 - kSameWidth) &&
-           clearance < options.corridorDoor / 2;
+    return clearance <
+               regions.options().corridorRatio * regions.radius(region) * (1 - kSameWidth) &&
+           clearance < regions.options().corridorDoor / 2;
   });
 }
 
@@ -112,52 +112,48 @@ std::map<std::uint32_t, std::vector<Point>> cornersOf(RegionGroups& regions,
 
 /** Whether a region is long by what stands in it, as furniture or the bath of a hotel room: its
  *  convex hull is no longer than a room, and wide enough for two of its ways beside each other. */
-bool isCompact(const RegionGroups& regions, const SplitAtDoorsOptions& options,
-               std::uint32_t region, std::vector<Point> corners) {
+bool isCompact(const RegionGroups& regions, std::uint32_t region, std::vector<Point> corners) {
   const Ring hull = convexHull(std::move(corners));
   const double width = leastWidth(hull) - 2 * regions.halfCell();
   const double solidity = regions.area(region) / signedArea(hull);
-  return signedArea(hull) <= options.maxElongation * width * width && solidity >= kLeastSolidity &&
-         solidity * width >= 2 * regions.meanWidth(region);
+  return signedArea(hull) <= regions.options().maxElongation * width * width &&
+         solidity >= kLeastSolidity && solidity * width >= 2 * regions.meanWidth(region);
 }
 
 /** Whether it is no wider than a door may be, and opens with nearly its whole width on two sides.
  */
-bool isWayThrough(const RegionGroups& regions, const SplitAtDoorsOptions& options,
-                  std::uint32_t region, const Neighbours& exits) {
-  const double open = options.maxRatio * regions.radius(region) * (1 - kSameWidth);
+bool isWayThrough(const RegionGroups& regions, std::uint32_t region, const Neighbours& exits) {
+  const double open = regions.options().maxRatio * regions.radius(region) * (1 - kSameWidth);
   int count = 0;
   for (const auto& [other, passage] : exits)
     for (const double clearance : {passage.clearance, passage.second})
       count += clearance >= open ? 1 : 0;
-  return count > 1 && 2 * regions.radius(region) * (1 + kSameWidth) < options.maxWidth;
+  return count > 1 && 2 * regions.radius(region) * (1 + kSameWidth) < regions.options().maxWidth;
 }
 
-bool isCorridor(const RegionGroups& regions, const SplitAtDoorsOptions& options,
-                std::uint32_t region, const Neighbours& around, double own, double leastWidth) {
+bool isCorridor(const RegionGroups& regions, std::uint32_t region, const Neighbours& around,
+                double own, double leastWidth) {
   const double width = 2 * regions.radius(region) * (1 + kSameWidth);
   if (width < leastWidth) return true;
-  const Neighbours exits = seenOnes(regions, options, around);
-  const bool isClosed = regions.wallShare(region) >= options.minClosedShare &&
-                        isBehindDoors(regions, options, region, around, exits);
-  if (width < options.openRoomWidth && !isClosed) return true;
-  if (regions.elongation(region) < options.minElongation) return true;
-  if (isWayThrough(regions, options, region, exits)) return true;
+  const Neighbours exits = seenOnes(regions, around);
+  const bool isClosed = regions.wallShare(region) >= regions.options().minClosedShare &&
+                        isBehindDoors(regions, region, around, exits);
+  if (width < regions.options().openRoomWidth && !isClosed) return true;
+  if (regions.elongation(region) < regions.options().minElongation) return true;
+  if (isWayThrough(regions, region, exits)) return true;
   int count = 0;
   for (const auto& [other, passage] : exits) count += passage.count;
   // What furniture leaves of a room behind one door is narrow: so that goes by its largest disc.
-  const bool isLong = count > 1
-                          ? regions.area(region) > options.maxElongation * own * own
-                          : regions.elongation(region) > options.maxElongation * kBlindElongation;
-  return isLong && own * (1 + kSameWidth) <= options.maxCorridorWidth;
+  const bool isLong =
+      count > 1 ? regions.area(region) > regions.options().maxElongation * own * own
+                : regions.elongation(region) > regions.options().maxElongation * kBlindElongation;
+  return isLong && own * (1 + kSameWidth) <= regions.options().maxCorridorWidth;
 }
 
 class KindFinder {
  public:
-  KindFinder(RegionGroups& regions, const SplitAtDoorsOptions& options,
-             const std::vector<double>& widths)
+  KindFinder(RegionGroups& regions, const std::vector<double>& widths)
       : regions_(regions),
-        options_(options),
         widths_(widths),
         around_(regions.neighbours()),
         kinds_(regions.isInside().size(), RegionKind::corridor) {}
@@ -165,8 +161,7 @@ class KindFinder {
   std::vector<RegionKind> run() {
     leastWidth_ = leastWidth();
     findCompactRooms();
-    for (std::uint32_t v = 0; v < kinds_.size(); ++v)
-      if (regions_.isInside()[v] && regions_.find(v) == v) kinds_[v] = kindOf(v);
+    regions_.eachRegion([&](std::uint32_t region) { kinds_[region] = kindOf(region); });
     return std::move(kinds_);
   }
 
@@ -181,44 +176,43 @@ class KindFinder {
   /** Of a room: nooks of a hall may be as wide as the small rooms of a home. */
   double leastWidth() {
     std::vector<WeightedValue> spaces;  // widths, by area
-    for (std::uint32_t v = 0; v < kinds_.size(); ++v) {
-      if (!regions_.isInside()[v] || regions_.find(v) != v) continue;
-      if (regions_.wallShare(v) < options_.minWallShare) continue;
-      spaces.push_back({2 * regions_.radius(v), regions_.area(v)});
-    }
+    regions_.eachRegion([&](std::uint32_t region) {
+      if (!hasLittleWall(regions_, region))
+        spaces.push_back({2 * regions_.radius(region), regions_.area(region)});
+    });
     const double median = lowerWeightedMedian(std::move(spaces)).value_or(0);
-    return std::max(options_.minRoomWidth,
-                    std::min(options_.minRoomRatio * median, options_.openRoomWidth));
+    return std::max(
+        regions_.options().minRoomWidth,
+        std::min(regions_.options().minRoomRatio * median, regions_.options().openRoomWidth));
   }
 
   /** Of those that are wide enough, and would be corridor for their length. */
   void findCompactRooms() {
     std::vector<std::uint32_t> closed;
-    for (std::uint32_t v = 0; v < kinds_.size(); ++v)
-      if (regions_.isInside()[v] && regions_.find(v) == v && isLongBehindDoors(v))
-        closed.push_back(v);
+    regions_.eachRegion([&](std::uint32_t region) {
+      if (isLongBehindDoors(region)) closed.push_back(region);
+    });
     for (auto& [region, corners] : cornersOf(regions_, closed))
-      if (isCompact(regions_, options_, region, std::move(corners))) compact_.insert(region);
+      if (isCompact(regions_, region, std::move(corners))) compact_.insert(region);
   }
 
   bool isLongBehindDoors(std::uint32_t region) const {
     const double width = widths_[region];
     return 2 * regions_.radius(region) * (1 + kSameWidth) >= leastWidth_ &&
-           regions_.area(region) > options_.maxElongation * width * width &&
-           regions_.wallShare(region) >= options_.minClosedShare &&
-           isBehindNarrowDoors(regions_, options_, region, around(region));
+           regions_.area(region) > regions_.options().maxElongation * width * width &&
+           regions_.wallShare(region) >= regions_.options().minClosedShare &&
+           isBehindNarrowDoors(regions_, region, around(region));
   }
 
   RegionKind kindOf(std::uint32_t region) const {
-    if (hasLittleWall(regions_, options_, region)) return RegionKind::halfSeen;
+    if (hasLittleWall(regions_, region)) return RegionKind::halfSeen;
     if (compact_.count(region) > 0) return RegionKind::room;
-    return isCorridor(regions_, options_, region, around(region), widths_[region], leastWidth_)
+    return isCorridor(regions_, region, around(region), widths_[region], leastWidth_)
                ? RegionKind::corridor
                : RegionKind::room;
   }
 
   RegionGroups& regions_;
-  const SplitAtDoorsOptions& options_;
   const std::vector<double>& widths_;
   const RegionGroups::AllNeighbours around_;
   double leastWidth_ = 0;            // of a room [m]
@@ -247,9 +241,8 @@ std::vector<double> ownWidths(RegionGroups& regions, const std::vector<std::uint
   return widths;
 }
 
-std::vector<RegionKind> regionKinds(RegionGroups& regions, const SplitAtDoorsOptions& options,
-                                    const std::vector<double>& widths) {
-  return KindFinder(regions, options, widths).run();
+std::vector<RegionKind> regionKinds(RegionGroups& regions, const std::vector<double>& widths) {
+  return KindFinder(regions, widths).run();
 }
 
 }  // namespace roomgraph

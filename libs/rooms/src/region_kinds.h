@@ -4,14 +4,12 @@
 
 #include "RegionGroups.h"
 #include "number_regions.h"
-#include "roomgraph/rooms/SplitAtDoorsOptions.h"
 
 namespace roomgraph {
 
 /** Per vertex that stands for a region, what that is; `widths` are its own ones. Needs areas and
  *  wall shares. */
-std::vector<RegionKind> regionKinds(RegionGroups& regions, const SplitAtDoorsOptions& options,
-                                    const std::vector<double>& widths);
+std::vector<RegionKind> regionKinds(RegionGroups& regions, const std::vector<double>& widths);
 
 /** Per vertex that stands for a region, its own width [m]: between walls that face each other about
  *  as far apart everywhere, where most of it lies between such; else that of its largest disc, and

@@ -22,8 +22,7 @@ using Neighbours = RegionGroups::Neighbours;
  *  is open to. So a door frame goes to one of its rooms, and not to both. */
 class PassageJoiner {
  public:
-  PassageJoiner(RegionGroups& regions, const SplitAtDoorsOptions& options)
-      : regions_(regions), options_(options) {}
+  explicit PassageJoiner(RegionGroups& regions) : regions_(regions) {}
 
   void join(const std::uint32_t* first, const std::uint32_t* last) {
     edges_.assign(first, last);
@@ -47,7 +46,7 @@ class PassageJoiner {
       if (regions_.radius(b) < regions_.radius(a)) std::swap(a, b);
       clearance_ = regions_.clearance(edge);
       // By the passage, not by the narrower region: that may have grown to here from the far side.
-      const double least = options_.narrowRatio * regions_.radius(b) * (1 - kSameWidth);
+      const double least = regions_.options().narrowRatio * regions_.radius(b) * (1 - kSameWidth);
       if (!isDoorBetween(a, b) && clearance_ >= least) pairs_.push_back({a, b, regions_.radius(b)});
       return false;
     };
@@ -55,7 +54,8 @@ class PassageJoiner {
   }
 
   bool isDoorBetween(std::uint32_t a, std::uint32_t b) const {
-    return isDoor(regions_, clearance_, a, b, options_.maxRatio, options_.maxWidth);
+    return isDoor(regions_, clearance_, a, b, regions_.options().maxRatio,
+                  regions_.options().maxWidth);
   }
 
   bool joinEqual() {
@@ -91,17 +91,16 @@ class PassageJoiner {
   }
 
   RegionGroups& regions_;
-  const SplitAtDoorsOptions& options_;
   std::vector<std::uint32_t> edges_;  // between regions that have not met yet
   double clearance_ = 0;              // of all these passages
   std::vector<Pair> pairs_, chosen_;  // members, as most widths have but one edge
 };
 
 /** From wide to narrow: what is no door joins. */
-void joinOpenPassages(RegionGroups& regions, const SplitAtDoorsOptions& options) {
+void joinOpenPassages(RegionGroups& regions) {
   const std::vector<std::uint32_t>& edges = regions.edges();
   const auto width = [&](std::size_t i) { return regions.voronoi().edges[edges[i]].minClearance; };
-  PassageJoiner joiner(regions, options);
+  PassageJoiner joiner(regions);
   for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
     while (end < edges.size() && width(end) >= width(first) * (1 - kSameWidth)) ++end;
     joiner.join(edges.data() + first, edges.data() + end);
@@ -155,14 +154,14 @@ Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
                      const std::vector<std::uint8_t>& isWall, double minClearance,
                      double resolution, const SplitAtDoorsOptions& options) {
   const InsideFlags isClear = clearInside(voronoi, isInside, minClearance);
-  RegionGroups regions(voronoi, isClear, minClearance, resolution / 2);
-  joinOpenPassages(regions, options);
+  RegionGroups regions(voronoi, isClear, minClearance, resolution / 2, options);
+  joinOpenPassages(regions);
   regions.sumAreas();
   regions.sumWalls(isWall);
-  joinLeftovers(regions, options);
-  std::vector<RegionKind> kinds = regionKinds(regions, options, ownWidths(regions, isWall));
-  followCorridors(regions, options, kinds);
-  joinDoorFrames(regions, options, kinds);
+  joinLeftovers(regions);
+  std::vector<RegionKind> kinds = regionKinds(regions, ownWidths(regions, isWall));
+  followCorridors(regions, kinds);
+  joinDoorFrames(regions, kinds);
   // A joined region goes by the smallest of its parts, all of which are alike.
   const auto kindOf = [&](std::uint32_t v) { return kinds[v]; };
   const auto areaOf = [&](std::uint32_t v) { return regions.area(v); };
