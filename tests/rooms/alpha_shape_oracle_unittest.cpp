@@ -116,7 +116,9 @@ std::vector<Outline> ourRooms(const MapText& map, double alpha) {
   std::vector<Outline> outlines;
   const Regions regions =
       findRooms(voronoi, keepInside(voronoi, grid, options), std::sqrt(alpha), 0);
-  for (const Room& room : traceRooms(voronoi, regions)) {
+  Rooms rooms = traceRegions(voronoi, regions);
+  rooms.resize(regions.roomCount);
+  for (const Room& room : rooms) {
     Outline outline;
     outline.area = area(room.polygon);
     const auto add = [&](const Ring& ring) {

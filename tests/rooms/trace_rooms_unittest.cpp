@@ -17,7 +17,9 @@ std::vector<std::string> emptyRoom() {
 
 Rooms roomsOf(const MapText& map, double radius) {
   const DividedByDisc divided(map, radius);
-  return traceRooms(divided.voronoi, divided.regions);
+  Rooms rooms = traceRegions(divided.voronoi, divided.regions);
+  rooms.resize(divided.regions.roomCount);
+  return rooms;
 }
 
 TEST(TraceRooms, theOuterRingRunsCounterClockwiseAndTheHolesClockwise) {
@@ -77,7 +79,6 @@ TEST(TraceRooms, regionsAreRoomsFirstAndCorridorsAfterThem) {
   ASSERT_GT(regions.roomCount, 0u);
   ASSERT_GT(regions.count, regions.roomCount);
   ASSERT_EQ(all.size(), regions.count);
-  EXPECT_EQ(traceRooms(divided.voronoi, regions).size(), regions.roomCount);
   for (std::size_t r = 0; r < all.size(); ++r) {
     EXPECT_EQ(all[r].region, r);
     EXPECT_GT(all[r].inscribedRadius, r < regions.roomCount ? 1.6 : 0);

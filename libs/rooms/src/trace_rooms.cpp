@@ -152,10 +152,4 @@ Rooms traceRegions(const VoronoiGraph& voronoi, const Regions& regions) {
   return rooms;
 }
 
-Rooms traceRooms(const VoronoiGraph& voronoi, const Regions& regions) {
-  Rooms rooms = traceRegions(voronoi, regions);
-  rooms.resize(regions.roomCount);
-  return rooms;
-}
-
 }  // namespace roomgraph

@@ -8,7 +8,7 @@ namespace roomgraph {
 // Paper III-B
 // In:   VoronoiGraph and what of it lies inside
 // Out:  Regions
-// Next: traceRooms
+// Next: traceRegions
 
 struct FindRoomsOptions {
   /** Diameter of the disc that must fit in everywhere; 0 to split at doors instead [m]. */
@@ -22,9 +22,9 @@ void describe(FindRoomsOptions& options, FieldTable& table);
 
 /** Which places are in one room: those between which a disc of `radius` can move without touching
  *  an obstacle. Read off the Voronoi diagram: a room is a connected set of vertices with more
- *  clearance than `radius`, joined by edges with more clearance than that. traceRooms() gives each
- *  the union of its Delaunay faces, and so the inner polygons of the regularised alpha shape of
- *  CGAL. What is in no room is corridor, in pieces that are joined by edges of at least
+ *  clearance than `radius`, joined by edges with more clearance than that. traceRegions() gives
+ *  each the union of its Delaunay faces, and so the inner polygons of the regularised alpha shape
+ *  of CGAL. What is in no room is corridor, in pieces that are joined by edges of at least
  *  `minClearance` [m]. O(n). */
 [[nodiscard]] Regions findRooms(const VoronoiGraph& voronoi, const InsideFlags& isInside,
                                 double radius, double minClearance);

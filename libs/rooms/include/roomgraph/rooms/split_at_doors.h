@@ -11,7 +11,7 @@ namespace roomgraph {
 // Ours, in place of III-B's one alpha for the whole map
 // In:   VoronoiGraph of the map without clutter, what of it lies inside, and its walls
 // Out:  Regions: rooms, pieces of corridor, half-seen space
-// Next: traceRooms
+// Next: traceRegions
 
 /** Splits the inside at its doors. The alpha shapes of all alphas form a tree: going from wide to
  *  narrow, each widest place starts a region, and two regions meet where a disc of some diameter

@@ -6,15 +6,12 @@ namespace roomgraph {
 
 // Paper III-B: the polygons of the rooms
 // In:   VoronoiGraph and its Regions
-// Out:  Rooms
+// Out:  Rooms, and the other regions after them
 // Next: borderVertices
 
-/** One room per region that is one, with the union of its Delaunay faces as polygon. Rings that
- *  touch themselves are cut there; what encloses no area is dropped. O(n log n) in the number of
- *  Delaunay edges on the boundaries. */
-[[nodiscard]] Rooms traceRooms(const VoronoiGraph& voronoi, const Regions& regions);
-
-/** The same for all regions, pieces of corridor too. */
+/** One room per region, pieces of corridor too, with the union of its Delaunay faces as polygon.
+ *  Rings that touch themselves are cut there; what encloses no area is dropped. O(n log n) in the
+ *  number of Delaunay edges on the boundaries. */
 [[nodiscard]] Rooms traceRegions(const VoronoiGraph& voronoi, const Regions& regions);
 
 }  // namespace roomgraph
