@@ -3,7 +3,6 @@
 #include <png.h>
 #include <zlib.h>
 
-#include <cstring>
 #include <new>
 
 namespace roomgraph {
@@ -67,10 +66,19 @@ void eachRowFromTop(const std::vector<Value>& values, int width, const Take& tak
     take(&values[end - std::size_t(width)]);
 }
 
+/** All of a picture whose header is written. */
+template <class Value>
+std::string written(Encoder& encoder, const std::vector<Value>& values, int width) {
+  eachRowFromTop(values, width, [&](const Value* row) {
+    png_write_row(encoder.png(), reinterpret_cast<png_const_bytep>(row));
+  });
+  return encoder.finish();
+}
+
 }  // namespace
 
 std::string pngBytes(const PaletteImage& image) {
-  const int depth = image.palette.size() > 4 ? 4 : 2, perByte = 8 / depth;
+  const int depth = image.palette.size() > 4 ? 4 : 2;
   Encoder encoder(image.width, image.height, depth, PNG_COLOR_TYPE_PALETTE);
   std::vector<png_color> palette;
   for (const Colour c : image.palette) palette.push_back({c.red, c.green, c.blue});
@@ -81,40 +89,25 @@ std::string pngBytes(const PaletteImage& image) {
     png_set_compression_level(encoder.png(), 6);
   }
   png_write_info(encoder.png(), encoder.info());
-  std::vector<png_byte> row(std::size_t((image.width + perByte - 1) / perByte));
-  eachRowFromTop(image.indices, image.width, [&](const std::uint8_t* source) {
-    std::fill(row.begin(), row.end(), png_byte(0));
-    for (int x = 0; x < image.width; ++x)
-      row[std::size_t(x / perByte)] |= png_byte(source[x] << (8 - depth * (1 + x % perByte)));
-    png_write_row(encoder.png(), row.data());
-  });
-  return encoder.finish();
+  png_set_packing(encoder.png());
+  return written(encoder, image.indices, image.width);
 }
 
 std::string pngBytes(const unsigned char* pixels, int width, int height, int stride) {
   Encoder encoder(width, height, 8, PNG_COLOR_TYPE_RGB);
   png_write_info(encoder.png(), encoder.info());
-  std::vector<png_byte> row(std::size_t(width) * 3);
-  for (int y = 0; y < height; ++y) {
-    const unsigned char* source = pixels + std::ptrdiff_t(y) * stride;
-    for (std::size_t x = 0; x < std::size_t(width); ++x) {
-      std::uint32_t word = 0;
-      std::memcpy(&word, source + 4 * x, sizeof word);
-      row[3 * x] = png_byte(word >> 16);
-      row[3 * x + 1] = png_byte(word >> 8);
-      row[3 * x + 2] = png_byte(word);
-    }
-    png_write_row(encoder.png(), row.data());
-  }
+  // A pixel is a word, blue in its lowest byte, and the highest one is not used.
+  png_set_filler(encoder.png(), 0, PNG_FILLER_AFTER);
+  png_set_bgr(encoder.png());
+  for (int y = 0; y < height; ++y)
+    png_write_row(encoder.png(), pixels + std::ptrdiff_t(y) * stride);
   return encoder.finish();
 }
 
 std::string pngBytes(const std::vector<std::uint8_t>& levels, int width, int height) {
   Encoder encoder(width, height, 8, PNG_COLOR_TYPE_GRAY);
   png_write_info(encoder.png(), encoder.info());
-  eachRowFromTop(levels, width,
-                 [&](const std::uint8_t* row) { png_write_row(encoder.png(), row); });
-  return encoder.finish();
+  return written(encoder, levels, width);
 }
 
 std::string pngBytes(const std::vector<std::uint16_t>& levels, int width, int height) {
@@ -122,15 +115,8 @@ std::string pngBytes(const std::vector<std::uint16_t>& levels, int width, int he
   // Most rows are like the one before.
   png_set_filter(encoder.png(), PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
   png_write_info(encoder.png(), encoder.info());
-  std::vector<png_byte> row(std::size_t(width) * 2);
-  eachRowFromTop(levels, width, [&](const std::uint16_t* source) {
-    for (std::size_t x = 0; x < std::size_t(width); ++x) {
-      row[2 * x] = png_byte(source[x] >> 8);
-      row[2 * x + 1] = png_byte(source[x] & 0xff);
-    }
-    png_write_row(encoder.png(), row.data());
-  });
-  return encoder.finish();
+  png_set_swap(encoder.png());
+  return written(encoder, levels, width);
 }
 
 std::string pgmBytes(const std::vector<std::uint8_t>& levels, int width, int height) {
