@@ -1,10 +1,7 @@
 #include "keep_pairs.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <limits>
-#include <type_traits>
 #include <utility>
 
 #include "related_sources.h"
@@ -31,7 +28,6 @@ class Writer {
   void numbers(const T&... values) {
     (number(values), ...);
   }
-  void coordinate(double value) { number(value); }
   template <typename T>
   std::size_t count(const T& of) {
     number(of.size());
@@ -48,17 +44,7 @@ class Writer {
   std::string bytes_;
 };
 
-/** Whether a T can have the value. */
-template <typename T>
-bool holds(double wide) {
-  if constexpr (std::is_floating_point_v<T>)
-    return std::abs(wide) <= kFarthestPlace || std::isinf(wide);
-  // As doubles, the limits of the larger types are powers of two, which are too large.
-  return wide >= double(std::numeric_limits<T>::min()) &&
-         wide < std::ldexp(1.0, std::numeric_limits<T>::digits) && wide == std::floor(wide);
-}
-
-/** Once the bytes have run out, or hold what cannot be, all that is read is 0. */
+/** Once the bytes have run out, all that is read is 0. */
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : bytes_(bytes) {}
@@ -71,16 +57,11 @@ class Reader {
       std::memcpy(&wide, bytes_.data(), sizeof wide);
       bytes_.remove_prefix(sizeof wide);
     }
-    isWhole_ = isWhole_ && holds<T>(wide);
-    value = isWhole_ ? T(wide) : T();
+    value = T(wide);
   }
   template <typename... T>
   void numbers(T&... values) {
     (number(values), ...);
-  }
-  void coordinate(double& value) {
-    number(value);
-    isWhole_ = isWhole_ && std::isfinite(value);
   }
   template <typename T>
   std::size_t count(T& of) {
@@ -108,7 +89,7 @@ class Reader {
 
 template <typename Archive, typename Pose>
 void visitPose(Archive& archive, Pose& pose) {
-  archive.coordinate(pose.x), archive.coordinate(pose.y), archive.coordinate(pose.phi);
+  archive.numbers(pose.x, pose.y, pose.phi);
 }
 
 template <typename Archive, typename Candidate>
@@ -150,35 +131,10 @@ void visitPair(Archive& archive, Pair& pair) {
   visitWalls(archive, pair.aInB);
 }
 
+/** No pair may lead to patches that are not there. */
 bool areOf(const FollowedWalls& walls, const WallMap& map) {
   return std::all_of(walls.patches.begin(), walls.patches.end(),
-                     [&](const FollowedPatch& followed) {
-                       return followed.patch < map.patches.size() && followed.layer >= 0;
-                     });
-}
-
-double radiusOf(const WallMap& map) {
-  return 0.5 * map.frame.resolution * std::hypot(map.frame.width, map.frame.height);
-}
-
-/** Whether maps and patches lie where two maps that meet can lie: elsewhere, the site would be as
- *  large as the pose is wrong. `walls` are those of b in a. */
-bool canMeet(const FollowedWalls& walls, const WallMap& a, const WallMap& b) {
-  const double farthest = 2 * (radiusOf(a) + radiusOf(b));
-  const auto isNear = [&](const Transform2D& pose) {
-    return norm(pose(b.middle()) - a.middle()) <= farthest;
-  };
-  return isNear(walls.pose) &&
-         std::all_of(walls.patches.begin(), walls.patches.end(),
-                     [&](const FollowedPatch& followed) { return isNear(followed.pose); });
-}
-
-bool canMeet(const MapPair& pair, const WallMap& a, const WallMap& b) {
-  if (!pair.alignment.isSameSite) return true;  // then none of them is used
-  FollowedWalls wholes;
-  wholes.pose = pair.alignment.pose;
-  for (const Transform2D& pose : pair.alignment.poses) wholes.patches.push_back({0, pose, 0, 0});
-  return canMeet(wholes, a, b) && canMeet(pair.bInA, a, b) && canMeet(pair.aInB, b, a);
+                     [&](const FollowedPatch& f) { return f.patch < map.patches.size(); });
 }
 
 }  // namespace
@@ -236,8 +192,7 @@ std::optional<MapPair> pairOfBytes(std::string_view bytes, const WallMap& a, con
   MapPair pair;
   Reader reader(body);
   visitPair(reader, pair);
-  if (!reader.isAtEnd() || !areOf(pair.bInA, b) || !areOf(pair.aInB, a) || !canMeet(pair, a, b))
-    return {};
+  if (!reader.isAtEnd() || !areOf(pair.bInA, b) || !areOf(pair.aInB, a)) return {};
   return pair;
 }
 
