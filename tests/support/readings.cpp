@@ -9,7 +9,7 @@
 #define CHECKED_FILE \
   "_ZN9roomgraph11CheckedFileC1ERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEE"
 #define READ_SCAN "_ZN9roomgraph8readScanERNS_10ByteReaderERKNS_12ObjectHeaderERNS_9RangeScanE"
-#define POINTS_OF "_ZN9roomgraph8pointsOfEPKhS1_S1_m"
+#define POINTS_OF "_ZN9roomgraph8pointsOfEPKhS1_S1_mm"
 
 namespace roomgraph::test {
 
@@ -32,13 +32,13 @@ void countScan(ByteReader& in, const ObjectHeader& header, RangeScan& scan) {
 }
 
 CloudPoints decodePoints(const std::uint8_t* x, const std::uint8_t* y, const std::uint8_t* z,
-                         std::size_t count) asm("__real_" POINTS_OF);
+                         std::size_t count, std::size_t stride) asm("__real_" POINTS_OF);
 CloudPoints countPoints(const std::uint8_t* x, const std::uint8_t* y, const std::uint8_t* z,
-                        std::size_t count) asm("__wrap_" POINTS_OF);
+                        std::size_t count, std::size_t stride) asm("__wrap_" POINTS_OF);
 CloudPoints countPoints(const std::uint8_t* x, const std::uint8_t* y, const std::uint8_t* z,
-                        std::size_t count) {
+                        std::size_t count, std::size_t stride) {
   ++readings.clouds;
-  return decodePoints(x, y, z, count);
+  return decodePoints(x, y, z, count, stride);
 }
 
 }  // namespace roomgraph::test

@@ -77,13 +77,7 @@ std::optional<ExternalFile> findExternalFile(const std::string& map, const std::
 }
 
 CloudPoints kittiPoints(const ByteReader& bytes) {
-  CloudPoints points;
-  for (std::size_t i = 0; i + 4 <= bytes.left() / sizeof(float); i += 4) {
-    const TPoint3Df p(floatAt(bytes.peek(), i), floatAt(bytes.peek(), i + 1),
-                      floatAt(bytes.peek(), i + 2));
-    if (isFinite(p)) points.push_back(p);
-  }
-  return points;
+  return pointsInRow(bytes.peek(), bytes.left() / (4 * sizeof(float)), 4);
 }
 
 CloudPoints textPoints(const ByteReader& bytes) {

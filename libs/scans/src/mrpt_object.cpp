@@ -16,41 +16,6 @@ namespace {
 using mrpt::poses::CPose2D;
 using mrpt::poses::CPose3D;
 
-struct Matrix {
-  std::uint32_t rows = 0, columns = 0;
-  bool isDouble = false;
-  const std::uint8_t* data = nullptr;
-
-  double at(std::size_t row, std::size_t column) const {
-    const std::size_t index = row * columns + column;
-    if (isDouble) return value<double>(index);
-    return double(value<float>(index));
-  }
-  template <class T>
-  T value(std::size_t index) const {
-    T result;
-    std::memcpy(&result, data + index * sizeof(T), sizeof(T));
-    return result;
-  }
-};
-
-Matrix readMatrix(ByteReader& reader) {
-  const ObjectHeader header = readObjectHeader(reader);
-  if (header.className.compare(0, 7, "CMatrix") != 0)
-    refuse(reader.file(), "it is damaged: a matrix is missing in it", kSaveMapAgain);
-  checkVersion(reader, header, 0);
-  Matrix matrix;
-  matrix.isDouble = header.className.back() == 'D';
-  matrix.rows = reader.get<std::uint32_t>();
-  matrix.columns = reader.get<std::uint32_t>();
-  if (matrix.rows > 100 || matrix.columns > 100)
-    refuse(reader.file(), "it is damaged: a matrix in it has an absurd size", kSaveMapAgain);
-  const std::size_t size = matrix.isDouble ? sizeof(double) : sizeof(float);
-  matrix.data = reader.take(std::uint64_t(matrix.rows) * matrix.columns * size);
-  readObjectEnd(reader, header);
-  return matrix;
-}
-
 CPose3D poseOf(const mrpt::math::CMatrixDouble44& m, const ByteReader& reader) {
   bool isRotation = true;
   for (int r = 0; r < 3; ++r) {
@@ -66,11 +31,11 @@ CPose3D poseOf(const mrpt::math::CMatrixDouble44& m, const ByteReader& reader) {
 mrpt::math::CMatrixDouble44 readPoseMatrix(ByteReader& reader, int version) {
   mrpt::math::CMatrixDouble44 m = mrpt::math::CMatrixDouble44::Identity();
   if (version <= 1) {
-    const Matrix stored = readMatrix(reader);
+    const StoredMatrix stored = readMatrix(reader);
     if (stored.rows != 4 || stored.columns != 4)
       refuse(reader.file(), "it is damaged: a pose in it is not valid", kSaveMapAgain);
     for (int r = 0; r < 3; ++r)
-      for (int c = 0; c < 4; ++c) m(r, c) = stored.at(std::size_t(r), std::size_t(c));
+      for (int c = 0; c < 4; ++c) m(r, c) = stored.numbers.at(std::size_t(4 * r + c));
     return m;
   }
   for (int r = 0; r < 3; ++r) m(r, 3) = reader.get<double>();
@@ -149,7 +114,7 @@ CPose3D readGaussian3D(ByteReader& reader, int) {
 CPose3D readGaussian2D(ByteReader& reader, int version) {
   CPose3D mean = checkPose(readPose2D(reader), reader);
   if (version == 0)
-    skipMatrix(reader);
+    readMatrix(reader);
   else
     reader.skip(6 * (version == 1 ? sizeof(float) : sizeof(double)));
   return mean;
@@ -214,6 +179,21 @@ CPose3D readPoseMean(ByteReader& reader) {
   return mean;
 }
 
-void skipMatrix(ByteReader& reader) { readMatrix(reader); }
+StoredMatrix readMatrix(ByteReader& reader) {
+  const ObjectHeader header = readObjectHeader(reader);
+  if (header.className.compare(0, 7, "CMatrix") != 0)
+    refuse(reader.file(), "it is damaged: a matrix is missing in it", kSaveMapAgain);
+  checkVersion(reader, header, 0);
+  StoredMatrix matrix;
+  matrix.numbers.areDouble = header.className.back() == 'D';
+  matrix.rows = reader.get<std::uint32_t>();
+  matrix.columns = reader.get<std::uint32_t>();
+  if (matrix.rows > 100 || matrix.columns > 100)
+    refuse(reader.file(), "it is damaged: a matrix in it has an absurd size", kSaveMapAgain);
+  const std::size_t size = matrix.numbers.areDouble ? sizeof(double) : sizeof(float);
+  matrix.numbers.first = reader.take(std::uint64_t(matrix.rows) * matrix.columns * size);
+  readObjectEnd(reader, header);
+  return matrix;
+}
 
 }  // namespace roomgraph

@@ -1,5 +1,6 @@
 #include "roomgraph/scans/read_cloud.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "external_file.h"
@@ -68,8 +69,7 @@ CloudPoints pointsOfRing(const std::uint8_t* ranges, std::size_t count, double u
                          double span) {
   CloudPoints points;
   for (std::size_t i = 0; i < count; ++i) {
-    std::uint16_t stored;
-    std::memcpy(&stored, ranges + 2 * i, 2);
+    const auto stored = valueAt<std::uint16_t>(ranges, i);
     const double angle = start + span * double(i) / double(count);
     const TPoint3Df p{float(stored * unit * std::cos(angle)),
                       float(stored * unit * std::sin(angle)), 0.f};
@@ -80,12 +80,9 @@ CloudPoints pointsOfRing(const std::uint8_t* ranges, std::size_t count, double u
 
 /** Points in rows and columns, in the frame of the robot; those at its origin are none. */
 CloudPoints organizedPoints(const std::uint8_t* bytes, std::size_t count) {
-  CloudPoints points;
-  for (std::size_t i = 0; i < count; ++i) {
-    const TPoint3Df p(floatAt(bytes, 3 * i), floatAt(bytes, 3 * i + 1), floatAt(bytes, 3 * i + 2));
-    // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): as in isFinite()
-    if (isFinite(p) && (p.x != 0 || p.y != 0 || p.z != 0)) points.push_back(p);
-  }
+  CloudPoints points = pointsInRow(bytes, count, 3);
+  const auto isNone = [](const TPoint3Df& p) { return p.x == 0 && p.y == 0 && p.z == 0; };
+  points.erase(std::remove_if(points.begin(), points.end(), isNone), points.end());
   return points;
 }
 

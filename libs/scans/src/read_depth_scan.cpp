@@ -85,8 +85,7 @@ void readDepthImage(ByteReader& reader, DepthImage& image) {
 CloudPoints pointsOf(const DepthImage& image, const DepthCamera& camera, bool isDepth) {
   CloudPoints points;
   for (std::size_t i = 0; i < std::size_t(image.rows) * image.columns; ++i) {
-    std::uint16_t stored;
-    std::memcpy(&stored, image.depths + 2 * i, 2);
+    const auto stored = valueAt<std::uint16_t>(image.depths, i);
     if (stored == 0) continue;
     const std::size_t column = i % image.columns, row = i / image.columns;
     const double right = (double(column) - camera.cx) / camera.fx;

@@ -17,8 +17,7 @@ void readBeams(ByteReader& reader, int version, RangeScan& scan) {
   scan.ranges.resize(count);
   scan.isValid.resize(count);
   for (std::uint32_t i = 0; i < count; ++i) {
-    float range;
-    std::memcpy(&range, ranges + i * sizeof(float), sizeof(float));
+    const auto range = valueAt<float>(ranges, i);
     const bool isValid = validity ? validity[i] != 0 : range < scan.maxRange;
     const bool isLength = range >= 0;
     scan.ranges[i] = isLength ? range : 0;
@@ -54,7 +53,7 @@ void readScan(ByteReader& reader, const ObjectHeader& header, RangeScan& scan) {
   if (!(scan.aperture >= 0 && scan.aperture < 7))
     refuse(reader.file(), "it is damaged: a scan in it has an absurd field of view", kSaveMapAgain);
   scan.sensor = readPose3D(reader);
-  if (header.version < 6) skipMatrix(reader);
+  if (header.version < 6) readMatrix(reader);
   readBeams(reader, header.version, scan);
   readScanEnd(reader, header.version, scan);
   readObjectEnd(reader, header);

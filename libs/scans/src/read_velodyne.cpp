@@ -2,7 +2,6 @@
 
 #include <mrpt/obs/CObservationVelodyneScan.h>
 
-#include <algorithm>
 #include <cstring>
 
 #include "point_bytes.h"
@@ -20,7 +19,6 @@ Floats readFloats(ByteReader& reader) {
   return {reader.take(std::uint64_t(count) * sizeof(float)), count};
 }
 
-using mrpt::math::TPoint3Df;
 using mrpt::obs::CObservationVelodyneScan;
 
 static_assert(sizeof(CObservationVelodyneScan::TVelodyneRawPacket) == VelodynePackets::kPacketSize);
@@ -77,13 +75,11 @@ CloudPoints velodynePoints(const VelodynePackets& from) {
   copyInto(scan.calibration.laser_corrections, from.lasers);
   if (!areKnown(scan)) return {};
   scan.generatePointCloud();
-  CloudPoints points;
-  for (std::size_t i = 0; i < scan.point_cloud.x.size(); ++i)
-    points.emplace_back(scan.point_cloud.x[i], scan.point_cloud.y[i], scan.point_cloud.z[i]);
-  points.erase(
-      std::remove_if(points.begin(), points.end(), [](const TPoint3Df& p) { return !isFinite(p); }),
-      points.end());
-  return points;
+  const auto bytesOf = [](const std::vector<float>& values) {
+    return reinterpret_cast<const std::uint8_t*>(values.data());
+  };
+  const auto& cloud = scan.point_cloud;
+  return pointsOf(bytesOf(cloud.x), bytesOf(cloud.y), bytesOf(cloud.z), cloud.x.size());
 }
 
 }  // namespace roomgraph

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "roomgraph/base/remedies.h"
-#include "roomgraph/scans/object_header.h"
+#include "roomgraph/scans/mrpt_object.h"
 
 namespace roomgraph {
 namespace {
@@ -19,12 +19,6 @@ std::string textBytes(const std::string& text) { return raw(std::uint32_t(text.s
 
 /** What MRPT writes for a speed that is not known. */
 std::string noTwist() { return textBytes("std::optional") + textBytes("TTwist3D") + '\0'; }
-
-/** Numbers one after the other, in the order of a matrix by rows. */
-struct Numbers {
-  std::size_t begin = 0;
-  bool areDouble = true;
-};
 
 /** A symmetric matrix of n x n as MRPT streams it: the diagonal, then what is above it, by rows. */
 std::size_t symmetricIndex(std::size_t n, std::size_t row, std::size_t column) {
@@ -61,7 +55,7 @@ class Mover {
     const bool isInformation = name == "CPosePDFGaussianInf" || name == "CPose3DPDFGaussianInf";
     if (name == "CPose3DPDFGaussian" || name == "CPose3DPDFGaussianInf") {
       movePose3D(reader);
-      if (move.covariance) setBlock({reader.position(), true}, 6, *move.covariance, isInformation);
+      if (move.covariance) setBlock({reader.peek(), true}, 6, *move.covariance, isInformation);
     } else if (name == "CPosePDFGaussian" || name == "CPosePDFGaussianInf") {
       movePose2D(reader, isInformation);
       if (move.covariance) setPlanar(reader, header, *move.covariance, isInformation);
@@ -71,62 +65,43 @@ class Mover {
   }
 
  private:
-  double number(const Numbers& numbers, std::size_t index) const {
-    if (!numbers.areDouble) return double(value<float>(numbers.begin + index * sizeof(float)));
-    return value<double>(numbers.begin + index * sizeof(double));
-  }
-  void set(const Numbers& numbers, std::size_t index, double to) {
-    if (numbers.areDouble)
-      put(numbers.begin + index * sizeof(double), to);
-    else
-      put(numbers.begin + index * sizeof(float), float(to));
+  void set(const StoredNumbers& numbers, std::size_t index, double to) {
+    if (numbers.areDouble) put(numbers, index, to);
+    if (!numbers.areDouble) put(numbers, index, float(to));
   }
   template <class T>
-  T value(std::size_t index) const {
-    T result;
-    std::memcpy(&result, content_.data + index, sizeof result);
-    return result;
-  }
-  template <class T>
-  void put(std::size_t index, T value) {
-    std::memcpy(bytes_.data() + index, &value, sizeof value);
+  void put(const StoredNumbers& numbers, std::size_t index, T value) {
+    char* first = bytes_.data() + (numbers.first - content_.data);
+    std::memcpy(first + index * sizeof value, &value, sizeof value);
   }
 
   /** Turns two numbers that are the x and y of a vector. */
-  void turnPair(const Numbers& numbers, std::size_t x, std::size_t y, double angle,
+  void turnPair(const StoredNumbers& numbers, std::size_t x, std::size_t y, double angle,
                 Point shift = {}) {
-    const Point to = turned({number(numbers, x), number(numbers, y)}, angle) + shift;
+    const Point to = turned({numbers.at(x), numbers.at(y)}, angle) + shift;
     set(numbers, x, to.x), set(numbers, y, to.y);
   }
-  void movePlace(const Numbers& place) { turnPair(place, 0, 1, motion_.phi, motion_.shift()); }
-
-  /** x, y and phi, or x, y, z and yaw. */
-  void moveCoordinates(const Numbers& pose, std::size_t yaw) {
-    movePlace(pose);
-    set(pose, yaw, wrappedAngle(number(pose, yaw) + motion_.phi));
+  void movePlace(const StoredNumbers& place) {
+    turnPair(place, 0, 1, motion_.phi, motion_.shift());
   }
 
-  Numbers matrix(ByteReader& reader) const {
-    const ObjectHeader header = readObjectHeader(reader);
-    const bool areDouble = header.className.back() == 'D';
-    const auto rows = reader.get<std::uint32_t>(), columns = reader.get<std::uint32_t>();
-    const Numbers numbers{reader.position(), areDouble};
-    reader.skip(std::uint64_t(rows) * columns * (areDouble ? sizeof(double) : sizeof(float)));
-    readObjectEnd(reader, header);
-    return numbers;
+  /** x, y and phi, or x, y, z and yaw. */
+  void moveCoordinates(const StoredNumbers& pose, std::size_t yaw) {
+    movePlace(pose);
+    set(pose, yaw, wrappedAngle(pose.at(yaw) + motion_.phi));
   }
 
   /** Leaves `reader` behind the object. */
   void movePose3D(ByteReader& reader) {
     const ObjectHeader header = readObjectHeader(reader);
     if (header.version <= 1) {
-      const Numbers m = matrix(reader);  // 4 x 4
+      const StoredNumbers m = readMatrix(reader).numbers;  // 4 x 4
       for (std::size_t c = 0; c < 3; ++c) turnPair(m, c, 4 + c, motion_.phi);
       turnPair(m, 3, 7, motion_.phi, motion_.shift());
     } else {
-      movePlace({reader.position(), true});
+      movePlace({reader.peek(), true});
       reader.skip(3 * sizeof(double));
-      const Numbers turn{reader.position(), true};
+      const StoredNumbers turn{reader.peek(), true};
       if (header.version == 2) {  // a quaternion, r x y z
         turnPair(turn, 0, 3, motion_.phi / 2), turnPair(turn, 1, 2, motion_.phi / 2);
       } else {
@@ -142,7 +117,7 @@ class Mover {
     ObjectHeader header;
     if (!isBare) header = readObjectHeader(reader);
     const bool areDouble = isBare || header.version > 0;
-    moveCoordinates({reader.position(), areDouble}, 2);
+    moveCoordinates({reader.peek(), areDouble}, 2);
     reader.skip(3 * (areDouble ? sizeof(double) : sizeof(float)));
     if (!isBare) readObjectEnd(reader, header);
   }
@@ -155,7 +130,7 @@ class Mover {
         if (!are3D) movePose2D(reader, false);
         continue;
       }
-      moveCoordinates({reader.position(), true}, are3D ? 3 : 2);
+      moveCoordinates({reader.peek(), true}, are3D ? 3 : 2);
       reader.skip((are3D ? 6 : 3) * sizeof(double));
     }
   }
@@ -163,9 +138,9 @@ class Mover {
   void setPlanar(ByteReader& reader, const ObjectHeader& header, const PlanarCovariance& covariance,
                  bool isInformation) {
     if (isInformation || header.version > 0)
-      return setBlock({reader.position(), isInformation || header.version > 1}, 3, covariance,
+      return setBlock({reader.peek(), isInformation || header.version > 1}, 3, covariance,
                       isInformation);
-    const Numbers m = matrix(reader);
+    const StoredNumbers m = readMatrix(reader).numbers;
     const std::array<double, 9> all{covariance.xx, covariance.xy, covariance.xp,
                                     covariance.xy, covariance.yy, covariance.yp,
                                     covariance.xp, covariance.yp, covariance.pp};
@@ -173,7 +148,7 @@ class Mover {
   }
 
   /** Of a symmetric matrix over x, y, phi, or x, y, z, yaw, pitch, roll. */
-  void setBlock(const Numbers& symmetric, std::size_t n, const PlanarCovariance& covariance,
+  void setBlock(const StoredNumbers& symmetric, std::size_t n, const PlanarCovariance& covariance,
                 bool isInformation) {
     const PlanarCovariance c = isInformation ? inverseOf(covariance) : covariance;
     const std::size_t yaw = n == 3 ? 2 : 3;

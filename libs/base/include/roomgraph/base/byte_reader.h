@@ -23,6 +23,14 @@ struct ByteView {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
+/** The value of that index in an array of any alignment. */
+template <class T>
+[[nodiscard]] T valueAt(const std::uint8_t* bytes, std::size_t index) {
+  T value;
+  std::memcpy(&value, bytes + index * sizeof(T), sizeof(T));
+  return value;
+}
+
 /** Reads little-endian values, as MRPT streams them, and never past the end. */
 class ByteReader {
  public:
@@ -45,9 +53,7 @@ class ByteReader {
   template <class T>
   T get() {
     static_assert(std::is_arithmetic_v<T>);
-    T value;
-    std::memcpy(&value, take(sizeof(T)), sizeof(T));
-    return value;
+    return valueAt<T>(take(sizeof(T)), 0);
   }
   /** A stored bool is any byte, of which only 0 is false. */
   bool getFlag() { return get<std::uint8_t>() != 0; }

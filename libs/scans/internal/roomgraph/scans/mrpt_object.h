@@ -17,7 +17,21 @@ mrpt::poses::CPose2D readPose2D(ByteReader& reader);
 /** Reads an object of one of MRPT's Gaussian or particle pose classes, in 2D or 3D, and returns
  *  its mean. Throws DataError for another class. */
 mrpt::poses::CPose3D readPoseMean(ByteReader& reader);
-/** Steps over a CMatrixF or CMatrixD object. */
-void skipMatrix(ByteReader& reader);
+/** Numbers one after the other, where they are stored; those of a matrix by its rows. */
+struct StoredNumbers {
+  const std::uint8_t* first = nullptr;
+  bool areDouble = true;
+
+  double at(std::size_t index) const {
+    return areDouble ? valueAt<double>(first, index) : double(valueAt<float>(first, index));
+  }
+};
+struct StoredMatrix {
+  std::uint32_t rows = 0, columns = 0;
+  StoredNumbers numbers;
+};
+
+/** Reads a CMatrixF or CMatrixD object. */
+StoredMatrix readMatrix(ByteReader& reader);
 
 }  // namespace roomgraph
