@@ -18,7 +18,7 @@ TEST(ScanMap, aScanFindsItsOwnWallsInItsMap) {
   for (const WallPoint& wall : run.scans[10].walls) {
     const std::size_t cell = cellIndexAt(map.frame, wall.place);
     EXPECT_EQ(map.states[cell], State::occupied);
-    const WallPoint* nearest = nearestWall(map, cell, wall.normal);
+    const WallPoint* nearest = nearestWall(map, wall.place, wall.normal);
     ASSERT_TRUE(nearest);
     EXPECT_LT(distance(nearest->place, wall.place), 0.2);
   }

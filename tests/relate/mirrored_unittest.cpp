@@ -46,10 +46,10 @@ TEST(Mirrored, wallsFaceTheOtherWay) {
   const WallMap image = mirrored(map);
   for (std::size_t i = 0; i < map.walls.size(); i += 97) {
     const auto& [place, normal] = map.walls[i];
-    const std::size_t cell = cellIndexAt(image.frame, {-place.x, place.y});
-    const WallPoint* wall = nearestWall(image, cell, {-normal.x, normal.y});
+    const Point there{-place.x, place.y};
+    const WallPoint* wall = nearestWall(image, there, {-normal.x, normal.y});
     ASSERT_TRUE(wall);
-    EXPECT_LT(distance(wall->place, {-place.x, place.y}), 0.1);
+    EXPECT_LT(distance(wall->place, there), 0.1);
   }
 }
 

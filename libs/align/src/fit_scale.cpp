@@ -41,14 +41,12 @@ ScaleStep stepAt(const WallMap& a, const WallMap& b, const ScaledPose& at, doubl
   const std::size_t strideB = strideOf(b, kCloseLook.verifyPoints);
   for (std::size_t i = 0; i < b.walls.size(); i += strideB) {
     const Point moved = forth(at.scale * b.walls[i].place);
-    const WallPoint* wall =
-        nearestWall(a, cellIndexAt(a.frame, moved), forth.turned(b.walls[i].normal));
+    const WallPoint* wall = nearestWall(a, moved, forth.turned(b.walls[i].normal));
     if (wall) step.add(moved, wall->place, wall->normal);
   }
   for (std::size_t i = 0; i < a.walls.size(); i += strideA) {
     const Point place = (1 / at.scale) * back(a.walls[i].place);
-    const WallPoint* wall =
-        nearestWall(b, cellIndexAt(b.frame, place), back.turned(a.walls[i].normal));
+    const WallPoint* wall = nearestWall(b, place, back.turned(a.walls[i].normal));
     if (wall) step.add(forth(at.scale * wall->place), a.walls[i].place, forth.turned(wall->normal));
   }
   return step;

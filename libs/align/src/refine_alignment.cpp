@@ -15,8 +15,7 @@ Transform2D refineAlignment(const WallMap& a, const WallMap& b, const Transform2
     const Motion2D back(fit.pose().inverse());
     for (std::size_t i = 0; i < a.walls.size(); i += strideA) {
       const Point place = back(a.walls[i].place);
-      const WallPoint* wall =
-          nearestWall(b, cellIndexAt(b.frame, place), back.turned(a.walls[i].normal));
+      const WallPoint* wall = nearestWall(b, place, back.turned(a.walls[i].normal));
       if (wall) fit.add(forth(wall->place), {a.walls[i].place, forth.turned(wall->normal)});
     }
   };

@@ -81,8 +81,7 @@ bool isFrayed(const Grid& grid, Cell c) {
 
 bool hasCopy(const WallMap& map, const WallPoint& wall) {
   const auto isCopyAt = [&](double along) {
-    const std::size_t cell = cellIndexAt(map.frame, wall.place + along * wall.normal);
-    const WallPoint* other = nearestWall(map, cell, wall.normal);
+    const WallPoint* other = nearestWall(map, wall.place + along * wall.normal, wall.normal);
     return other && isCopy(wall, *other);
   };
   double along = kSameWall;

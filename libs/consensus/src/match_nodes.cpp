@@ -27,12 +27,10 @@ class Meeting {
   void add(const WallPoint& point) {
     ++all_;
     const Point place = forth_(point.place);
-    const WallMap& map = other_.map;
-    const WallPoint* wall =
-        nearestWall(map, cellIndexAt(map.frame, place), forth_.turned(point.normal));
+    const WallPoint* wall = nearestWall(other_.map, place, forth_.turned(point.normal));
     if (!wall || distance(wall->place, place) > kSameWall) return;
     ++found_;
-    const auto first = other_.drawnBy.firsts.begin() + (wall - map.walls.data());
+    const auto first = other_.drawnBy.firsts.begin() + (wall - other_.map.walls.data());
     for (std::uint32_t k = first[0]; k < first[1]; ++k) ++met_[other_.drawnBy.nodes[k]];
   }
 
@@ -121,7 +119,7 @@ Drawn drawnInScans(const std::vector<ScanWalls>& scans, IdRange<NodeId> nodes, c
   Drawn drawn;
   for (const NodeId node : nodes)
     for (const WallPoint& point : scans[nodes.placeOf(node)].walls) {
-      const WallPoint* wall = nearestWall(map, cellIndexAt(map.frame, point.place), point.normal);
+      const WallPoint* wall = nearestWall(map, point.place, point.normal);
       if (wall && distance(wall->place, point.place) < kSameWall)
         drawn.emplace_back(std::uint32_t(wall - map.walls.data()), node);
     }

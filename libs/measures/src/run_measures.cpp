@@ -6,9 +6,9 @@
 
 #include "fitted_measures.h"
 #include "roomgraph/align/FullMaps.h"
-#include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/align/shared_edges.h"
 #include "roomgraph/align/wall_map.h"
+#include "roomgraph/align/wall_share.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/relate/pair_jobs.h"
@@ -218,12 +218,11 @@ WallDistances wallDistances(const WallMap& map, const WallMap& other, const Tran
   WallDistances result;
   // The table holds the wall that is nearest to the middle of a cell, which may be another one.
   const bool isItself = isNothing(pose) && areIdentical(map, other);
+  const Motion2D forth(pose);
   for (const WallPoint& wall : map.walls) {
-    const Point place = pose(wall.place), normal = turned(wall.normal, pose.phi);
-    const std::size_t cell = cellIndexAt(other.frame, place);
-    if (!hasSeen(other, cell)) continue;
-    const WallPoint* found = isItself ? &wall : nearestWall(other, cell, normal);
-    double apart = found ? distance(found->place, place) : WallMap::kReach;
+    const WallLookUp there = lookUp(wall, other, forth);
+    if (!there.isKnown) continue;
+    double apart = there.wall ? distance(there.wall->place, there.place) : WallMap::kReach;
     apart = isItself ? 0 : std::min(apart, WallMap::kReach);
     result.sum += apart;
     result.count += 1;

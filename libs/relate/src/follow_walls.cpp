@@ -34,11 +34,9 @@ double misfitAt(const WallMap& map, const WallMap& other, const Transform2D& pos
   const Motion2D forth(pose);
   double squares = 0, known = 0;
   for (const WallPoint& wall : map.walls) {
-    const Point place = forth(wall.place);
-    const std::size_t cell = cellIndexAt(other.frame, place);
-    if (!hasSeen(other, cell)) continue;
-    const WallPoint* there = nearestWall(other, cell, forth.turned(wall.normal));
-    squares += there ? std::min(1.0, squaredNorm(there->place - place)) : 1;
+    const WallLookUp there = lookUp(wall, other, forth);
+    if (!there.isKnown) continue;
+    squares += there.wall ? std::min(1.0, squaredNorm(there.wall->place - there.place)) : 1;
     ++known;
   }
   return known > 0 ? std::sqrt(squares / known) : 0;
@@ -69,10 +67,6 @@ class Follower {
   }
 
  private:
-  const WallPoint* wallAt(Point place, Point normal) const {
-    return nearestWall(other_, cellIndexAt(other_.frame, place), normal);
-  }
-
   /** Moves the pose so that what is left around the patch comes to lie on walls. */
   Transform2D refined(std::uint32_t patch, const Transform2D& pose) const {
     return fittedPose(pose, patches_[patch].middle, kPatchBand, [&](WallFit& fit, int) {
@@ -126,7 +120,7 @@ class Follower {
     for (const std::uint32_t k : patches_[offer.patch].own) {
       if (foundIn_[k] != kNone) continue;
       const Point place = forth(map_.walls[k].place);
-      const WallPoint* wall = wallAt(place, forth.turned(map_.walls[k].normal));
+      const WallPoint* wall = nearestWall(other_, place, forth.turned(map_.walls[k].normal));
       if (!wall || distance(wall->place, place) > kSameWall) continue;
       foundIn_[k] = layer_;
       int& explained = explainedIn_[std::size_t(wall - other_.walls.data())];

@@ -31,7 +31,7 @@ bool isStraight(const WallMap& map, const WallPoint& wall) {
     int gaps = 0;
     for (int step = first; step <= first + steps && 10 * gaps <= steps; ++step) {
       const Point place = wall.place + double(step) * along;
-      const WallPoint* next = nearestWall(map, cellIndexAt(map.frame, place), wall.normal);
+      const WallPoint* next = nearestWall(map, place, wall.normal);
       gaps += !next || distance(next->place, place) >= kSameWall;
     }
     if (10 * gaps <= steps) return true;

@@ -23,7 +23,7 @@ class WallFit {
   /** A point that is to be laid on the nearest wall of `in`. */
   void add(const WallPoint& point, const WallMap& in) {
     const Point at = forth_(point.place);
-    const WallPoint* wall = nearestWall(in, cellIndexAt(in.frame, at), forth_.turned(point.normal));
+    const WallPoint* wall = nearestWall(in, at, forth_.turned(point.normal));
     if (wall) add(at, *wall);
   }
   /** One that the pose has brought to `place`, and that belongs onto `wall`. */

@@ -39,4 +39,9 @@ inline const WallPoint* nearestWall(const WallMap& map, std::size_t index, Point
   return wall == kNoIndex ? nullptr : &map.walls[wall];
 }
 
+/** The same near a place. */
+inline const WallPoint* nearestWall(const WallMap& map, Point place, Point normal) {
+  return nearestWall(map, cellIndexAt(map.frame, place), normal);
+}
+
 }  // namespace roomgraph
