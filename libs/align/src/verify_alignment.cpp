@@ -12,8 +12,7 @@ constexpr double kShallow = 0.2, kDeep = 0.5;
 constexpr double kBentNoise = 0.4;  // how far apart the same wall lies in bent maps [m]
 
 /** The sums over wall points, and of n nT over those that were found. */
-struct FoundSums {
-  double close = 0, loose = 0, slightly = 0, contradicted = 0, known = 0, all = 0;
+struct FoundSums : AlignmentEvidence {
   double xx = 0, xy = 0, yy = 0;
 
   void lookUp(const WallMap& other, Point place, Point normal, double length, double noise) {
@@ -57,8 +56,7 @@ void lookUpAll(const WallMap& map, const WallMap& other, const Transform2D& pose
   part.yy = st * st * xx + 2 * ct * st * xy + ct * ct * yy;
   part.xy = ct * st * (xx - yy) + (ct * ct - st * st) * xy;
   sums.close += part.close, sums.loose += part.loose, sums.contradicted += part.contradicted;
-  sums.slightly += part.slightly;
-  sums.known += part.known, sums.all += part.all;
+  sums.slightly += part.slightly, sums.known += part.known, sums.all += part.all;
   sums.xx += part.xx, sums.xy += part.xy, sums.yy += part.yy;
 }
 
@@ -94,10 +92,7 @@ AlignmentEvidence verifyAlignment(const WallMap& a, const WallMap& b, const Tran
   FoundSums sums;
   lookUpAll(b, a, pose, look, 0, sums);
   lookUpAll(a, b, back, look, pose.phi, sums);
-  AlignmentEvidence e;
-  e.close = sums.close, e.loose = sums.loose, e.contradicted = sums.contradicted;
-  e.slightly = sums.slightly;
-  e.known = sums.known, e.all = sums.all;
+  AlignmentEvidence e = sums;
   const double half = 0.5 * (sums.xx + sums.yy);
   e.weakest = half - std::hypot(0.5 * (sums.xx - sums.yy), sums.xy);
   const std::size_t maxCount = 2 * std::size_t(look.verifyPoints);
