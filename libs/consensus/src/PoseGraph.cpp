@@ -4,6 +4,7 @@
 
 #include "fitted_consensus.h"
 #include "roomgraph/align/LocalScan.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/consensus/gait.h"
 #include "roomgraph/relate/PairBend.h"
 
@@ -11,7 +12,7 @@ namespace roomgraph {
 namespace {
 
 void addScans(const Run& run, PoseGraph& graph) {
-  const Gait gait(drawnPoses(run.scans), timesOf(run.scans));
+  const Gait gait(drawnPoses(run.scans), mapped(run.scans, &ScanWalls::time));
   NodeId last;
   for (std::size_t k = 0; k < run.scans.size(); ++k) {
     const ScanWalls& scan = run.scans[k];

@@ -2,11 +2,15 @@
 
 #include "fitted_consensus.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/base/mapped.h"
 
 namespace roomgraph {
 
 StepWitness::StepWitness(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn)
-    : scans_(scans), drawn_(drawn), gait_(drawn, timesOf(scans)), sides_(scans, drawn, gait_) {}
+    : scans_(scans),
+      drawn_(drawn),
+      gait_(drawn, mapped(scans, &LocalScan::time)),
+      sides_(scans, drawn, gait_) {}
 
 std::optional<StepWitness::Fits> StepWitness::fitsOf(std::size_t k, const Transform2D& step) {
   const WallMap ahead = sides_.ahead(k, drawn_);

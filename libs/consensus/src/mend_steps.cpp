@@ -7,6 +7,7 @@
 
 #include "fitted_consensus.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/consensus/scans_of_step.h"
 
 namespace roomgraph {
@@ -37,7 +38,7 @@ class Mender {
       : scans_(scans),
         drawn_(drawn),
         asked_(asked),
-        gait_(drawn, timesOf(scans)),
+        gait_(drawn, mapped(scans, &LocalScan::time)),
         sides_(scans, drawn, gait_) {}
 
   MendedSteps mended() {
@@ -167,10 +168,8 @@ class Mender {
     if (isPossible(k) && drawn.quality >= kSlip.mostAsDrawn)
       return drawn.quality >= kMajority ? StepEvidence::agrees : StepEvidence::none;
     const bool mayBeTorn = !isPossible(k) || drawn.quality < kTear.mostAsDrawn;
-    std::vector<ScanFit> found;
-    for (const ScanFit& fit : candidates(k, view.after, mayBeTorn))
-      found.push_back(sides_.weighed(k, view, fit));
-    return decide(k, drawn, found);
+    const auto weighed = [&](const ScanFit& fit) { return sides_.weighed(k, view, fit); };
+    return decide(k, drawn, mapped(candidates(k, view.after, mayBeTorn), weighed));
   }
 
   std::vector<ScanFit> candidates(std::size_t k, const LocalScan& after, bool mayBeTorn) const {

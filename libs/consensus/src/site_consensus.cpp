@@ -12,6 +12,7 @@
 #include "match_runs.h"
 #include "own_matches.h"
 #include "refine_poses.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/return_memory.h"
 #include "roomgraph/consensus/PoseGraph.h"
 #include "roomgraph/consensus/add_to_consensus.h"
@@ -137,9 +138,7 @@ PoseGraph coreOf(const PoseGraph& graph, std::size_t runs) {
   for (std::size_t r = 0; r < runs; ++r) core.addRun(graph, RunId(r));
   for (const MatchGroup& group : graph.groups) {
     if (group.from.index() >= runs || group.to.index() >= runs) continue;
-    std::vector<PoseEdge> matches;
-    for (const PoseEdgeId edge : group.edges) matches.push_back(graph.edges[edge]);
-    core.addGroup(group, matches);
+    core.addGroup(group, mapped(group.edges, [&](PoseEdgeId edge) { return graph.edges[edge]; }));
   }
   return core;
 }
@@ -218,9 +217,7 @@ bool holdSteps(Consensus& consensus, const Site& site, const ForEach& forEach) {
 }  // namespace
 
 std::vector<Transform2D> SolvedSite::posesOf(std::size_t run) const {
-  std::vector<Transform2D> poses;
-  for (const NodeId node : consensus.nodesOf(run)) poses.push_back(consensus.poses[node]);
-  return poses;
+  return mapped(consensus.nodesOf(run), [&](NodeId node) { return consensus.poses[node]; });
 }
 
 SolvedSite solveSite(const std::vector<Run>& runs, const MapPairs& related,

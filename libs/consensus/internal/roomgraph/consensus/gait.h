@@ -40,12 +40,4 @@ struct Gait {
   std::vector<std::optional<double>> times_;
 };
 
-/** When scans were taken [s]. */
-template <class Scan>
-std::vector<std::optional<double>> timesOf(const std::vector<Scan>& scans) {
-  std::vector<std::optional<double>> times;
-  for (const Scan& scan : scans) times.push_back(scan.time);
-  return times;
-}
-
 }  // namespace roomgraph
