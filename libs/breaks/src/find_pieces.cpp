@@ -216,12 +216,9 @@ std::vector<std::vector<std::size_t>> rigidPieces(const WallPatches& patches,
       if (j < i && holdTogether(found[i], found[j])) sets.join(i, j);
     });
   }
-  std::vector<std::vector<std::size_t>> pieces(found.size());
+  std::vector<std::vector<std::size_t>> pieces = sets.sets();
   std::vector<double> walls(found.size());
-  for (std::uint32_t i = 0; i < found.size(); ++i) {
-    pieces[sets.find(i)].push_back(i);
-    walls[sets.find(i)] += found[i].walls;
-  }
+  for (std::size_t i = 0; i < found.size(); ++i) walls[sets.find(i)] += found[i].walls;
   const auto wallsOf = [&](const std::vector<std::size_t>& piece) {
     return piece.empty() ? 0 : walls[piece.front()];  // a set is known by its first member
   };

@@ -61,18 +61,15 @@ std::vector<std::vector<std::size_t>> sitesIn(const MapPairs& related, const Joi
   const std::size_t runs = related.things();
   UnionFind sets(runs);
   for (const auto& [a, b] : related.pairs())
-    if (areJoined(a, b)) sets.join(std::uint32_t(a), std::uint32_t(b));
-  std::vector<std::vector<std::size_t>> sites(runs);
+    if (areJoined(a, b)) sets.join(a, b);
+  std::vector<std::vector<std::size_t>> sites = sets.sets();
   std::vector<double> confidence(runs);
-  for (std::uint32_t i = 0; i < runs; ++i) sites[sets.find(i)].push_back(i);
   for (const auto& [a, b] : related.pairs())
-    if (areJoined(a, b))
-      confidence[sets.find(std::uint32_t(a))] += related(a, b).alignment.confidence;
-  const auto set = [&](std::size_t run) { return sets.find(std::uint32_t(run)); };
+    if (areJoined(a, b)) confidence[sets.find(a)] += related(a, b).alignment.confidence;
   const auto rank = [&](const std::vector<std::size_t>& site) {
     if (site.empty()) return std::make_tuple(false, std::size_t(0), 0.0);
-    const bool hasReference = reference && set(*reference) == set(site.front());
-    return std::make_tuple(hasReference, site.size(), confidence[set(site.front())]);
+    const bool hasReference = reference && sets.find(*reference) == site.front();
+    return std::make_tuple(hasReference, site.size(), confidence[site.front()]);
   };
   std::stable_sort(sites.begin(), sites.end(),
                    [&](const auto& l, const auto& r) { return rank(l) > rank(r); });

@@ -85,10 +85,8 @@ std::vector<std::vector<std::size_t>> sharedDrives(const std::vector<const Run*>
     if (sharesDrive(same, std::min(runs[a]->scans.size(), runs[b]->scans.size())))
       drives.join(a, b);
   }
-  std::vector<std::vector<std::size_t>> sets(runs.size());
-  for (std::uint32_t i = 0; i < runs.size(); ++i) sets[drives.find(i)].push_back(i);
   std::vector<std::vector<std::size_t>> shared;
-  for (std::vector<std::size_t>& set : sets)
+  for (std::vector<std::size_t>& set : drives.sets())
     if (set.size() > 1) shared.push_back(std::move(set));
   return shared;
 }

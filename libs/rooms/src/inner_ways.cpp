@@ -48,8 +48,7 @@ TopologyGraph wideWays(TopologyGraph graph, double minClearance) {
   std::vector<bool> keepEdge(count);
   for (const std::size_t e : order) {
     const Edge& edge = graph.edges()[e];
-    const bool isLink =
-        groups.join(std::uint32_t(edge.source.index()), std::uint32_t(edge.target.index()));
+    const bool isLink = groups.join(edge.source.index(), edge.target.index());
     keepEdge[e] = isLink || clearance(e) >= minClearance;
   }
   const std::vector<bool> keepVertex(graph.vertices().size(), true);

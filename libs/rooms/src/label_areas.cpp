@@ -14,13 +14,12 @@ namespace {
 std::vector<std::uint32_t> seeds(const RegionOutlines& outlines, const RoomGraph& graph) {
   const auto& vertices = graph.graph.vertices();
   UnionFind parts(vertices.size());
-  for (const Edge& edge : graph.graph.edges())
-    parts.join(std::uint32_t(edge.source.index()), std::uint32_t(edge.target.index()));
+  for (const Edge& edge : graph.graph.edges()) parts.join(edge.source.index(), edge.target.index());
   std::vector<std::uint8_t> isFound(vertices.size());
   std::vector<std::uint32_t> found;
   for (const GraphRoom& room : graph.rooms) {
     found.push_back(room.shape.region);
-    isFound[parts.find(std::uint32_t(room.vertex.index()))] = 1;
+    isFound[parts.find(room.vertex.index())] = 1;
   }
   const auto isMissing = [&](std::uint32_t v) { return !isFound[parts.find(v)]; };
   std::vector<std::uint32_t> missing;

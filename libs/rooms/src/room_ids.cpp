@@ -18,8 +18,7 @@ void leaveClippedRooms(TopologyGraph& graph) {
     const auto out = graph.outgoing(VertexId(v));
     for (const HalfEdgeId a : out)
       for (const HalfEdgeId b : out)
-        if (graph.edge(a).room == graph.edge(b).room)
-          groups.join(std::uint32_t(a.index() / 2), std::uint32_t(b.index() / 2));
+        if (graph.edge(a).room == graph.edge(b).room) groups.join(a.index() / 2, b.index() / 2);
   }
   std::vector<double> lengthOf(edges.size());
   for (std::uint32_t e = 0; e < edges.size(); ++e) lengthOf[groups.find(e)] += edges[e].path.length;

@@ -18,8 +18,7 @@ std::vector<EdgeId> joiningForest(const TopologyGraph& graph, double limit, Unio
   });
   std::vector<EdgeId> forest;
   for (const EdgeId e : shortEdges)
-    if (groups.join(std::uint32_t(graph.edge(e).source.index()),
-                    std::uint32_t(graph.edge(e).target.index())))
+    if (groups.join(graph.edge(e).source.index(), graph.edge(e).target.index()))
       forest.push_back(e);
   return forest;
 }

@@ -31,7 +31,7 @@ std::vector<Component> measure(const TopologyGraph& graph, UnionFind& groups) {
     component.isEmpty = false;
   }
   for (const Edge& edge : graph.edges())
-    components[groups.find(std::uint32_t(edge.source.index()))].length += edge.path.length;
+    components[groups.find(edge.source.index())].length += edge.path.length;
   return components;
 }
 
@@ -56,8 +56,7 @@ void describe(KeepLargestOptions& options, FieldTable& table) {
 TopologyGraph keepLargest(TopologyGraph graph, const KeepLargestOptions& options, Notes& notes) {
   if (graph.vertices().empty()) return graph;
   UnionFind groups(graph.vertices().size());
-  for (const Edge& edge : graph.edges())
-    groups.join(std::uint32_t(edge.source.index()), std::uint32_t(edge.target.index()));
+  for (const Edge& edge : graph.edges()) groups.join(edge.source.index(), edge.target.index());
   std::vector<Component> components = measure(graph, groups);
   const auto largest = std::max_element(components.begin(), components.end(), isSmaller);
   std::vector<bool> keepComponent(components.size());

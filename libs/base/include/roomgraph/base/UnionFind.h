@@ -1,7 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace roomgraph {
@@ -14,19 +14,23 @@ class UnionFind {
   }
 
   /** The smallest number of the group of `i`: it does not depend on the order of joins. */
-  std::uint32_t find(std::uint32_t i) {
+  std::uint32_t find(std::size_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
+    return std::uint32_t(i);
   }
 
   /** Returns false where both were in one group already. */
-  bool join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    if (a == b) return false;
-    if (b < a) std::swap(a, b);
+  bool join(std::size_t i, std::size_t j) {
+    const auto [a, b] = std::minmax({find(i), find(j)});
     parent_[b] = a;
-    return true;
+    return a < b;
+  }
+
+  /** The members of each group in ascending order, at its smallest one. */
+  std::vector<std::vector<std::size_t>> sets() {
+    std::vector<std::vector<std::size_t>> sets(parent_.size());
+    for (std::size_t i = 0; i < sets.size(); ++i) sets[find(i)].push_back(i);
+    return sets;
   }
 
  private:

@@ -19,20 +19,19 @@ class DistinctMaps {
       for (const std::size_t j : bends.othersOf(i)) {
         const PairBend& pair = bends(i, j);
         if (j < first && pair.areIdentical) first = j;
-        if (pair.areIdentical || pair.areEdits) voices.join(std::uint32_t(i), std::uint32_t(j));
+        if (pair.areIdentical || pair.areEdits) voices.join(i, j);
       }
       first_.push_back(first);
       maps_ += first == i;
     }
     for (std::size_t i = 0; i < bends.things(); ++i) {
-      voice_.push_back(voices.find(std::uint32_t(i)));
+      voice_.push_back(voices.find(i));
       voices_ += voice_[i] == i;
     }
   }
 
   /** The first run that has the same map as this one: itself, if none before it has. */
   std::size_t firstOf(std::size_t run) const { return first_[run]; }
-  bool isFirst(std::size_t run) const { return first_[run] == run; }
 
   /** The run that speaks for all edits of its picture, this run among them: their first. */
   std::size_t voiceOf(std::size_t run) const { return voice_[run]; }
