@@ -53,7 +53,7 @@ double lengthBetween(const TopologyGraph& graph, VertexId a, VertexId b) {
   const std::vector<EdgeId> all = allEdges(graph);
   for (const EdgeId e : all)
     if (graph.edge(e).target == a)
-      return ShortestWays(graph, all, {e, graph.edge(e).path.length}).lengthTo(b);
+      return ShortestWays(graph, all, {e, graph.edge(e).path.length}).pathTo(b).length;
   return 0;
 }
 

@@ -25,15 +25,15 @@ const std::vector<EdgeId> kAll{EdgeId(0), EdgeId(1), EdgeId(2)};
 TEST(ShortestWays, takeTheShorterOfTwo) {
   const TopologyGraph graph = twoWays();
   const ShortestWays ways(graph, kAll, {EdgeId(1), 2});
-  EXPECT_DOUBLE_EQ(ways.lengthTo(VertexId(1)), 6);
-  EXPECT_DOUBLE_EQ(ways.lengthTo(VertexId(0)), 2);
+  EXPECT_DOUBLE_EQ(ways.pathTo(VertexId(1)).length, 6);
+  EXPECT_DOUBLE_EQ(ways.pathTo(VertexId(0)).length, 2);
   EXPECT_EQ(ways.pathTo(VertexId(1)).points, (Polyline{{2, 0}, {8, 0}}));
 }
 
 TEST(ShortestWays, goRoundWhereThatIsAllThereIs) {
   const TopologyGraph graph = twoWays();
   const ShortestWays ways(graph, {EdgeId(0)}, {EdgeId(0), 0});
-  EXPECT_DOUBLE_EQ(ways.lengthTo(VertexId(1)), 10);
+  EXPECT_DOUBLE_EQ(ways.pathTo(VertexId(1)).length, 10);
   EXPECT_EQ(ways.pathTo(VertexId(1)).points.size(), 3u);
 }
 

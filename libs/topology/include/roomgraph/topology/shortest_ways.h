@@ -21,8 +21,7 @@ class ShortestWays {
   ShortestWays(const TopologyGraph& graph, const std::vector<EdgeId>& edges, PlaceOnPath start);
 
   [[nodiscard]] bool reaches(VertexId v) const { return best_.count(v) > 0; }
-  /** [m]; `v` must be reached, as in pathTo(). */
-  [[nodiscard]] double lengthTo(VertexId v) const { return best_.at(v).length; }
+  /** `v` must be reached. */
   [[nodiscard]] Path pathTo(VertexId v) const;
 
  private:
