@@ -13,122 +13,84 @@ namespace {
 
 constexpr std::string_view kHead = "roomgraph/pair\n";
 
-// Both archives take every number as a double, which holds all of them exactly.
-
-class Writer {
+/** The numbers of a pair one after the other, each as a double, which holds all of them exactly.
+ *  What it is shown it writes behind the others or, made of bytes, reads: one list of fields for
+ *  both ways. Once all are read, there are but zeros. */
+class Numbers {
  public:
-  template <typename T>
-  void number(const T& value) {
-    const double wide = double(value);
-    char raw[sizeof wide];
-    std::memcpy(raw, &wide, sizeof wide);
-    bytes_.append(raw, sizeof wide);
+  Numbers() = default;
+  explicit Numbers(std::string_view bytes) : all_(bytes.size() / sizeof(double)), isRead_(true) {
+    std::memcpy(all_.data(), bytes.data(), all_.size() * sizeof(double));
   }
+
   template <typename... T>
-  void numbers(const T&... values) {
-    (number(values), ...);
+  void show(T&... values) {
+    (showOne(values), ...);
   }
   template <typename T>
-  std::size_t count(const T& of) {
-    number(of.size());
-    return of.size();
-  }
-  template <typename T>
-  bool isThere(const std::optional<T>& value) {
-    number(value.has_value());
-    return value.has_value();
-  }
-  std::string bytes() { return std::move(bytes_); }
-
- private:
-  std::string bytes_;
-};
-
-/** Once the bytes have run out, all that is read is 0. */
-class Reader {
- public:
-  explicit Reader(std::string_view bytes) : bytes_(bytes) {}
-
-  template <typename T>
-  void number(T& value) {
-    double wide = 0;
-    isWhole_ = isWhole_ && bytes_.size() >= sizeof wide;
-    if (isWhole_) {
-      std::memcpy(&wide, bytes_.data(), sizeof wide);
-      bytes_.remove_prefix(sizeof wide);
-    }
-    value = T(wide);
-  }
-  template <typename... T>
-  void numbers(T&... values) {
-    (number(values), ...);
-  }
-  template <typename T>
-  std::size_t count(T& of) {
-    std::size_t size = 0;
-    number(size);
-    isWhole_ = isWhole_ && size <= bytes_.size();
-    of.resize(isWhole_ ? size : 0);
-    return of.size();
+  std::vector<T>& sized(std::vector<T>& list) {
+    std::size_t size = list.size();
+    show(size);
+    if (isRead_) list.resize(std::min(size, all_.size()));
+    return list;
   }
   template <typename T>
   bool isThere(std::optional<T>& value) {
-    bool isThere = false;
-    number(isThere);
-    if (isThere) value.emplace();
-    return isThere;
+    bool isOne = value.has_value();
+    show(isOne);
+    if (isRead_ && isOne) value.emplace();
+    return isOne;
   }
-  bool isAtEnd() const { return isWhole_ && bytes_.empty(); }
+  bool areAllRead() const { return next_ == all_.size(); }
+  std::string bytes() const {
+    return {reinterpret_cast<const char*>(all_.data()), all_.size() * sizeof(double)};
+  }
 
  private:
-  std::string_view bytes_;
-  bool isWhole_ = true;
+  template <typename T>
+  void showOne(T& value) {
+    if (!isRead_) return all_.push_back(double(value));
+    value = next_ < all_.size() ? T(all_[next_]) : T();
+    ++next_;
+  }
+
+  std::vector<double> all_;
+  std::size_t next_ = 0;
+  bool isRead_ = false;
 };
 
-// One list of fields for both ways.
+void show(Numbers& numbers, Transform2D& pose) { numbers.show(pose.x, pose.y, pose.phi); }
 
-template <typename Archive, typename Pose>
-void visitPose(Archive& archive, Pose& pose) {
-  archive.numbers(pose.x, pose.y, pose.phi);
+void show(Numbers& numbers, AlignmentCandidate& c) {
+  show(numbers, c.pose);
+  AlignmentEvidence& e = c.evidence;
+  numbers.show(e.close, e.loose, e.slightly, e.contradicted, e.known, e.all, e.weakest, e.overlap,
+               e.common, e.freeOnWall, c.score);
 }
 
-template <typename Archive, typename Candidate>
-void visitCandidate(Archive& archive, Candidate& c) {
-  visitPose(archive, c.pose);
-  auto& e = c.evidence;
-  archive.numbers(e.close, e.loose, e.slightly, e.contradicted, e.known, e.all, e.weakest,
-                  e.overlap, e.common, e.freeOnWall, c.score);
+void show(Numbers& numbers, Alignment& a) {
+  show(numbers, a.pose);
+  numbers.show(a.confidence, a.siteConfidence, a.overlap, a.isSameSite, a.isAmbiguous, a.isMirrored,
+               a.isOnlySaid, a.runnerUpConfidence);
+  if (numbers.isThere(a.best)) show(numbers, *a.best);
+  if (numbers.isThere(a.runnerUp)) show(numbers, *a.runnerUp);
+  for (Transform2D& pose : numbers.sized(a.poses)) show(numbers, pose);
 }
 
-template <typename Archive, typename AnAlignment>
-void visitAlignment(Archive& archive, AnAlignment& a) {
-  visitPose(archive, a.pose);
-  archive.numbers(a.confidence, a.siteConfidence, a.overlap, a.isSameSite, a.isAmbiguous,
-                  a.isMirrored, a.isOnlySaid, a.runnerUpConfidence);
-  if (archive.isThere(a.best)) visitCandidate(archive, *a.best);
-  if (archive.isThere(a.runnerUp)) visitCandidate(archive, *a.runnerUp);
-  const std::size_t poses = archive.count(a.poses);
-  for (std::size_t i = 0; i < poses; ++i) visitPose(archive, a.poses[i]);
-}
-
-template <typename Archive, typename Walls>
-void visitWalls(Archive& archive, Walls& walls) {
-  visitPose(archive, walls.pose);
-  archive.numbers(walls.bend, walls.share, walls.misfit);
-  const std::size_t patches = archive.count(walls.patches);
-  for (std::size_t i = 0; i < patches; ++i) {
-    auto& patch = walls.patches[i];
-    archive.numbers(patch.patch, patch.walls, patch.layer);
-    visitPose(archive, patch.pose);
+void show(Numbers& numbers, FollowedWalls& walls) {
+  show(numbers, walls.pose);
+  numbers.show(walls.bend, walls.share, walls.misfit);
+  for (FollowedPatch& patch : numbers.sized(walls.patches)) {
+    numbers.show(patch.patch, patch.walls, patch.layer);
+    show(numbers, patch.pose);
   }
 }
 
-template <typename Archive, typename Pair>
-void visitPair(Archive& archive, Pair& pair) {
-  archive.numbers(pair.areIdentical, pair.areEdits, pair.areStoreys);
-  visitAlignment(archive, pair.alignment);
-  visitWalls(archive, pair.bInA);
-  visitWalls(archive, pair.aInB);
+void show(Numbers& numbers, MapPair& pair) {
+  numbers.show(pair.areIdentical, pair.areEdits, pair.areStoreys);
+  show(numbers, pair.alignment);
+  show(numbers, pair.bInA);
+  show(numbers, pair.aInB);
 }
 
 /** No pair may lead to patches that are not there. */
@@ -160,25 +122,23 @@ RelatePair keepPairs(RelatePair relate, const std::vector<Run>& runs, const std:
 }
 
 std::string fingerprint(const WallMap& map) {
-  Writer writer;
   const GridFrame& frame = map.frame;
-  writer.number(frame.width), writer.number(frame.height), writer.number(frame.resolution);
-  writer.number(frame.origin.x), writer.number(frame.origin.y);
-  writer.number(map.hasScans);  // followWalls asks for it
-  for (const WallPoint& wall : map.walls) {
-    writer.number(wall.place.x), writer.number(wall.place.y);
-    writer.number(wall.normal.x), writer.number(wall.normal.y);
-  }
+  std::vector<double> numbers{double(frame.width), double(frame.height), frame.resolution,
+                              frame.origin.x,      frame.origin.y,       double(map.hasScans)};
+  for (const WallPoint& wall : map.walls)
+    numbers.insert(numbers.end(), {wall.place.x, wall.place.y, wall.normal.x, wall.normal.y});
   static_assert(sizeof(State) == 1);
   const std::string_view states(reinterpret_cast<const char*>(map.states.data()),
                                 map.states.size());
-  return sha256Of(viewOf(writer.bytes()), viewOf(states));
+  return sha256Of({reinterpret_cast<const std::uint8_t*>(numbers.data()), 8 * numbers.size()},
+                  viewOf(states));
 }
 
 std::string pairBytes(const MapPair& pair) {
-  Writer writer;
-  visitPair(writer, pair);
-  const std::string body = writer.bytes();
+  MapPair shown = pair;
+  Numbers numbers;
+  show(numbers, shown);
+  const std::string body = numbers.bytes();
   return std::string(kHead) + sha256Of(viewOf(body)) + body;
 }
 
@@ -190,9 +150,9 @@ std::optional<MapPair> pairOfBytes(std::string_view bytes, const WallMap& a, con
   const std::string_view body = bytes.substr(checksum);
   if (bytes.substr(0, checksum) != sha256Of(viewOf(body))) return {};
   MapPair pair;
-  Reader reader(body);
-  visitPair(reader, pair);
-  if (!reader.isAtEnd() || !areOf(pair.bInA, b) || !areOf(pair.aInB, a)) return {};
+  Numbers numbers(body);
+  show(numbers, pair);
+  if (!numbers.areAllRead() || !areOf(pair.bInA, b) || !areOf(pair.aInB, a)) return {};
   return pair;
 }
 
