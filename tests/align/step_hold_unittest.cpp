@@ -31,12 +31,12 @@ TEST(StepHold, whereThereIsNoStepItHolds) {
   EXPECT_EQ(stepHold(scanWalls(test::driveOnce()), 1000), 1);
 }
 
-TEST(CommonWalls, areThoseThatAreNearAndFaceAlike) {
+TEST(StepHold, wallsInCommonAreNearAndFaceAlike) {
   ScanWalls one, other;
-  one.walls = {{{0, 0}, {1, 0}}, {{1, 0}, {1, 0}}, {{2, 0}, {1, 0}}, {{3, 0}, {1, 0}}};
+  for (int i = 0; i < 8; ++i) one.walls.push_back({{double(i), 0}, {1, 0}});
   other.walls = {{{0, 0.1}, {1, 0}}, {{1, 0}, {-1, 0}}, {{2, 0.5}, {1, 0}}};
-  EXPECT_EQ(commonWalls(other, one), 0.25);
-  EXPECT_EQ(commonWalls(one, {}), 1);
+  EXPECT_DOUBLE_EQ(stepHold({other, one}, 1), 0.125 / 0.15);
+  EXPECT_EQ(stepHold({one, {}}, 1), 1);
 }
 
 }  // namespace

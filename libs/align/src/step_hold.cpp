@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kInCommon = 0.15;  // of scans that follow each other, at least
 
-}  // namespace
-
+/** The share of a scan's walls that another scan of its run has, too, where the run has drawn both.
+ *  1 for a scan without walls. O(walls^2). */
 double commonWalls(const ScanWalls& other, const ScanWalls& scan) {
   const auto isThere = [&](const WallPoint& wall) {
     return std::any_of(other.walls.begin(), other.walls.end(), [&](const WallPoint& one) {
@@ -21,6 +21,8 @@ double commonWalls(const ScanWalls& other, const ScanWalls& scan) {
   const auto count = std::count_if(scan.walls.begin(), scan.walls.end(), isThere);
   return scan.walls.empty() ? 1 : double(count) / double(scan.walls.size());
 }
+
+}  // namespace
 
 double stepHold(const std::vector<ScanWalls>& scans, std::size_t k) {
   if (k == 0 || k >= scans.size()) return 1;

@@ -11,10 +11,6 @@ namespace roomgraph {
 // Out:  how far they support each of its steps
 // Next: trackScans, lookAgain
 
-/** The share of a scan's walls that another scan of its run has, too, where the run has drawn both.
- *  1 for a scan without walls. O(walls^2). */
-double commonWalls(const ScanWalls& other, const ScanWalls& scan);
-
 /** How far the scans of a run support the step to scan `k`: 1 where it has walls in common with
  *  one of the two before it as scans have that follow each other, 0 where nothing fits, as behind a
  *  break, or where a robot was carried. 1 for the first scan, and behind the last. O(walls^2). */
