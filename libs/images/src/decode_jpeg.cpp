@@ -63,30 +63,22 @@ bool readRows(JpegDecoder& d) {
   return true;
 }
 
-void openJpeg(JpegDecoder& d, ByteView bytes, const std::string& file) {
-  if (!readHeader(d, bytes))
-    refuse(file, "it is damaged: it is not a whole jpeg", kSavePictureAgain);
-  const J_COLOR_SPACE space = d.jpeg.jpeg_color_space;
-  if (space != JCS_GRAYSCALE && space != JCS_YCbCr && space != JCS_RGB)
-    refuse(file, "is a jpeg for printing, with other colours than red, green and blue",
-           "save it as png");
-}
-
 }  // namespace
 
 bool isJpeg(ByteView head) {
   return head.size >= 3 && head.data[0] == 0xff && head.data[1] == 0xd8 && head.data[2] == 0xff;
 }
 
-JpegHeader readJpegHeader(ByteView jpeg, const std::string& file) {
+std::vector<std::uint8_t> decodeJpeg(ByteView jpeg, const std::string& file, GridFrame& frame) {
   JpegDecoder d;
-  openJpeg(d, jpeg, file);
-  return {d.jpeg.image_width, d.jpeg.image_height};
-}
-
-std::vector<std::uint8_t> decodeJpeg(ByteView jpeg, const std::string& file) {
-  JpegDecoder d;
-  openJpeg(d, jpeg, file);
+  if (!readHeader(d, jpeg))
+    refuse(file, "it is damaged: it is not a whole jpeg", kSavePictureAgain);
+  const J_COLOR_SPACE space = d.jpeg.jpeg_color_space;
+  if (space != JCS_GRAYSCALE && space != JCS_YCbCr && space != JCS_RGB)
+    refuse(file, "is a jpeg for printing, with other colours than red, green and blue",
+           "save it as png");
+  checkPictureSize(d.jpeg.image_width, d.jpeg.image_height, file);
+  frame.width = int(d.jpeg.image_width), frame.height = int(d.jpeg.image_height);
   const std::uint64_t pixels = std::uint64_t(d.jpeg.image_width) * d.jpeg.image_height;
   if (pixels / kMostPixelsPerByte > jpeg.size)
     refuse(file, "it is damaged: it holds fewer pixels than it says", kSavePictureAgain);

@@ -42,17 +42,11 @@ void checkBmp(const CheckedFile& file, const BmpHeader& header);
 void decodeBmp(CheckedFile& file, const BmpHeader& header,
                const std::function<void(std::size_t row, const std::vector<BmpPixel>&)>& take);
 
-struct JpegHeader {
-  std::uint32_t width = 0, height = 0;
-};
-
 bool isJpeg(ByteView head);
-/** Reads the size of a jpeg. Throws DataError where it is damaged, or has other colours than greys
- *  or red, green and blue. */
-JpegHeader readJpegHeader(ByteView jpeg, const std::string& file);
-/** Decodes a jpeg of sane size into one grey level per pixel, the highest row first; colours are
- *  averaged. Throws DataError for damage of any kind, be it only a warning to libjpeg. */
-std::vector<std::uint8_t> decodeJpeg(ByteView jpeg, const std::string& file);
+/** Decodes a jpeg into one grey level per pixel, the highest row first, and gives `frame` its size;
+ *  colours are averaged. Throws DataError for other colours than greys or red, green and blue, like
+ *  checkPictureSize(), and for damage of any kind, be it only a warning to libjpeg. */
+std::vector<std::uint8_t> decodeJpeg(ByteView jpeg, const std::string& file, GridFrame& frame);
 
 struct PgmHeader {
   bool isText = false;

@@ -48,11 +48,8 @@ void readBmp(CheckedFile& file, GreyMap& map) {
 }
 
 void readJpeg(CheckedFile& file, GreyMap& map) {
-  const ByteView jpeg = file.content();
-  const JpegHeader header = readJpegHeader(jpeg, file.name());
-  setSize(map.frame, header, file.name());
-  map.grey = decodeJpeg(jpeg, file.name());
-  flipRows(map.grey, header.width);
+  map.grey = decodeJpeg(file.content(), file.name(), map.frame);
+  flipRows(map.grey, std::size_t(map.frame.width));
 }
 
 struct Kind {
