@@ -17,13 +17,13 @@ using test::drawnBuilding;
 
 DrawnEdges edgesOf(const Grid& grid) { return bareWallMap(grid).edges; }
 
-const Grid& building() {
+const Grid& picture() {
   static const Grid grid = drawnBuilding(3, {});
   return grid;
 }
 
 /** The picture with each cell as `cellOf` says, in its frame. */
-Grid edited(const std::function<State(Cell)>& cellOf) { return test::redrawn(building(), cellOf); }
+Grid edited(const std::function<State(Cell)>& cellOf) { return test::redrawn(picture(), cellOf); }
 
 Grid quarterTurned(const Grid& grid) {
   Grid turned;
@@ -38,49 +38,49 @@ Grid quarterTurned(const Grid& grid) {
 }
 
 TEST(SharedEdges, areAllOfTheSamePictureWhereverItsOriginIs) {
-  Grid moved = building();
+  Grid moved = picture();
   moved.frame.origin = moved.frame.origin + Point{3.02, -7.01};
-  const SharedEdges shared = sharedEdges(edgesOf(building()), edgesOf(moved), {{-3, 7, 0.001}});
+  const SharedEdges shared = sharedEdges(edgesOf(picture()), edgesOf(moved), {{-3, 7, 0.001}});
   EXPECT_EQ(shared.ofA, 1);
   EXPECT_EQ(shared.ofB, 1);
 }
 
 TEST(SharedEdges, aQuarterTurnIsFollowed) {
-  const Grid turned = quarterTurned(building());
-  const GridFrame& frame = building().frame;
+  const Grid turned = quarterTurned(picture());
+  const GridFrame& frame = picture().frame;
   // turned <- building: (x, y) of the picture comes to (height - y, x).
   const Transform2D pose{frame.height * frame.resolution + frame.origin.y, -frame.origin.x, M_PI_2};
-  EXPECT_EQ(sharedEdges(edgesOf(turned), edgesOf(building()), {pose}).ofB, 1);
-  EXPECT_TRUE(areEdits(edgesOf(turned), edgesOf(building()), {{}, pose}));
-  EXPECT_FALSE(areEdits(edgesOf(turned), edgesOf(building()), {{}})) << "it lies elsewhere";
+  EXPECT_EQ(sharedEdges(edgesOf(turned), edgesOf(picture()), {pose}).ofB, 1);
+  EXPECT_TRUE(areEdits(edgesOf(turned), edgesOf(picture()), {{}, pose}));
+  EXPECT_FALSE(areEdits(edgesOf(turned), edgesOf(picture()), {{}})) << "it lies elsewhere";
 }
 
 TEST(AreEdits, aCropAndAnErasedWallAreEdits) {
-  const int width = building().frame.width;
+  const int width = picture().frame.width;
   const Grid half =
-      edited([&](Cell c) { return c.x < width / 2 ? building().at(c) : State::unknown; });
+      edited([&](Cell c) { return c.x < width / 2 ? picture().at(c) : State::unknown; });
   const Grid erased = edited([&](Cell c) {
-    const bool isWall = building().at(c) == State::occupied && c.x > width / 3 && c.x < width / 2;
-    return isWall ? State::free : building().at(c);
+    const bool isWall = picture().at(c) == State::occupied && c.x > width / 3 && c.x < width / 2;
+    return isWall ? State::free : picture().at(c);
   });
-  EXPECT_TRUE(areEdits(edgesOf(building()), edgesOf(half), {{}}));
-  EXPECT_TRUE(areEdits(edgesOf(erased), edgesOf(building()), {{}}));
+  EXPECT_TRUE(areEdits(edgesOf(picture()), edgesOf(half), {{}}));
+  EXPECT_TRUE(areEdits(edgesOf(erased), edgesOf(picture()), {{}}));
 }
 
 TEST(AreEdits, theSameBuildingDrawnTwiceIsNoEdit) {
   for (const Transform2D& pose : {Transform2D{0.02, 0.03, 0.01}, Transform2D{2, 1, 0.4}}) {
     const Grid other = drawnBuilding(3, pose);
     const Transform2D back = pose.inverse();
-    EXPECT_FALSE(areEdits(edgesOf(building()), edgesOf(other), {back})) << pose.phi;
+    EXPECT_FALSE(areEdits(edgesOf(picture()), edgesOf(other), {back})) << pose.phi;
   }
 }
 
 TEST(AreEdits, aMapOfOtherCellsOrWithNextToNothingDrawnIsNone) {
-  Grid coarse = building();
+  Grid coarse = picture();
   coarse.frame.resolution = 0.06;
-  EXPECT_FALSE(areEdits(edgesOf(building()), edgesOf(coarse), {{}}));
-  EXPECT_FALSE(areEdits(edgesOf(building()), edgesOf(building()), {})) << "without a pose";
-  EXPECT_FALSE(areEdits(edgesOf(Grid{}), edgesOf(building()), {{}}));
+  EXPECT_FALSE(areEdits(edgesOf(picture()), edgesOf(coarse), {{}}));
+  EXPECT_FALSE(areEdits(edgesOf(picture()), edgesOf(picture()), {})) << "without a pose";
+  EXPECT_FALSE(areEdits(edgesOf(Grid{}), edgesOf(picture()), {{}}));
   const Grid speck =
       edited([](Cell c) { return c.x == 50 && c.y < 60 ? State::occupied : State::free; });
   EXPECT_FALSE(areEdits(edgesOf(speck), edgesOf(speck), {{}}));

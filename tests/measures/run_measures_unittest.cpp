@@ -254,7 +254,7 @@ TEST(WallDistances, quantilesRiseAndTheHistogramHoldsAll) {
 TEST(WallDistances, aWallWithNoneInReachIsAsFarAsCanBe) {
   WallMap blank = building();
   for (auto& nearest : blank.nearest)
-    nearest = SparseIndices(std::vector<std::uint32_t>(blank.frame.cellCount(), kNoIndex));
+    nearest = {std::vector<std::uint32_t>(blank.frame.cellCount(), kNoIndex), kNoIndex};
   const WallDistances found = wallDistances(building(), blank, {0.01, 0, 0});
   EXPECT_DOUBLE_EQ(found.mean(), WallMap::kReach);
 }

@@ -54,7 +54,7 @@ void addNearest(WallMap& map, double reach) {
           if (off < best[cell]) best[cell] = off, nearest[cell] = w;
         }
     }
-    map.nearest[std::size_t(octant)] = SparseIndices(nearest);
+    map.nearest[std::size_t(octant)] = {nearest, kNoIndex};
   }
 }
 

@@ -244,7 +244,7 @@ void addLookUp(WallMap& map) {
   NearestWalls nearest;
   for (int k = 0; k < kOctants; ++k) {
     findNearest(map, k, nearest);
-    map.nearest[std::size_t(k)] = SparseIndices(nearest.label);
+    map.nearest[std::size_t(k)] = {nearest.label, kNoIndex};
   }
 }
 

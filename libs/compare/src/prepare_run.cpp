@@ -32,7 +32,7 @@ void leaveNoSpareRoom(T& grown) {
 void leaveNoSpareRoomIn(Run& run) {
   leaveNoSpareRoom(run.map.walls);
   leaveNoSpareRoom(run.map.depths);
-  for (SparseIndices& nearest : run.map.nearest) leaveNoSpareRoom(nearest);
+  for (auto& nearest : run.map.nearest) leaveNoSpareRoom(nearest);
   leaveNoSpareRoom(run.map.freeCells);
   leaveNoSpareRoom(run.map.patches);
   leaveNoSpareRoom(run.rooms);

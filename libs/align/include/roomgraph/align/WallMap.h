@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "roomgraph/align/SparseCells.h"
-#include "roomgraph/align/SparseIndices.h"
 #include "roomgraph/align/WallPatches.h"
 #include "roomgraph/align/WallPoint.h"
 #include "roomgraph/geometry/Point.h"
@@ -31,7 +30,7 @@ struct WallMap {
   SparseCells<float> depths;
   /** For each octant and cell the wall point that is nearest among those whose normal is within 45
    *  degrees of that octant; kNoIndex where none is in reach. */
-  std::array<SparseIndices, kOctants> nearest;
+  std::array<SparseCells<std::uint32_t>, kOctants> nearest;
   std::vector<std::uint32_t> freeCells;  ///< evenly spread over the free space: indices of `states`
   double freeArea = 0;                   ///< [m2]
   std::vector<double> turns;  ///< how much wall faces which way, over equal steps of the circle
