@@ -7,7 +7,6 @@
 #include "roomgraph/align/find_scan.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/geometry/Polygon.h"
-#include "search_data.h"
 
 namespace roomgraph {
 namespace {

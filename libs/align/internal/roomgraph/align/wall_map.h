@@ -21,6 +21,10 @@ WallMap wallMap(const Grid& grid);
  *  map. */
 WallMap bareWallMap(const Grid& grid);
 
+/** Makes what alignMaps looks at of a map besides its walls: `turns`, of the walls given, and
+ *  `freeCells` and `freeArea` of its states. O(cells + walls). */
+void addSearchData(WallMap& map, const std::vector<WallPoint>& walls);
+
 /** Makes `nearest` and `depths`, which only depend on the rest. O(cells). */
 void addLookUp(WallMap& map);
 
