@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
+#include <functional>
 #include <map>
 
 #include "choose_runs.h"
 #include "drawn_building.h"
 #include "keep_pairs.h"
 #include "roomgraph/align/wall_map.h"
+#include "roomgraph/base/checked_file.h"
 
 namespace roomgraph {
 namespace {
@@ -175,6 +178,47 @@ TEST(RelateRuns, aDamagedPairIsWorkedOutAgain) {
   shelf.bytes.begin()->second.back() ^= 1;
   EXPECT_EQ(bytesOf(test::related(runs, shelf.kept())), whole);
   EXPECT_EQ(shelf.bytes.begin()->second, bytes);
+}
+
+TEST(RelateRuns, aPairThatCannotBeOfItsMapsIsWorkedOutAgain) {
+  std::vector<roomgraph::Run> runs = fourRuns();
+  runs.resize(2);
+  const WallMap &a = runs[0].map, &b = runs[1].map;
+  const MapPair good = test::related(runs)(0, 1);
+  ASSERT_FALSE(good.bInA.patches.empty());
+  ASSERT_TRUE(pairOfBytes(pairBytes(good), a, b));
+  const auto isTaken = [&](const std::function<void(MapPair&)>& change) {
+    MapPair bad = good;
+    change(bad);
+    return pairOfBytes(pairBytes(bad), a, b).has_value();  // with the right checksum
+  };
+  const auto last = std::uint32_t(b.patches.size() - 1);
+  EXPECT_TRUE(isTaken([&](MapPair& pair) { pair.bInA.patches[0].patch = last; }));
+  EXPECT_FALSE(isTaken([&](MapPair& pair) { pair.bInA.patches[0].patch = last + 1; }));
+  EXPECT_FALSE(isTaken([&](MapPair& pair) { pair.aInB.patches[0].patch = 4000000000; }));
+  EXPECT_FALSE(isTaken([&](MapPair& pair) { pair.aInB.patches[0].layer = -1; }));
+  EXPECT_FALSE(isTaken([&](MapPair& pair) { pair.alignment.pose.x = NAN; }));
+  EXPECT_FALSE(isTaken([&](MapPair& pair) { pair.alignment.poses[0].phi = HUGE_VAL; }));
+  EXPECT_FALSE(isTaken([&](MapPair& pair) { pair.alignment.confidence = NAN; }));
+  EXPECT_FALSE(isTaken([&](MapPair& pair) { pair.bInA.bend = 1e300; }));
+  EXPECT_FALSE(isTaken([&](MapPair& pair) { pair.alignment.pose.x = 1e6; }));
+  EXPECT_FALSE(isTaken([&](MapPair& pair) { pair.bInA.patches[0].pose.y = -1e6; }));
+}
+
+TEST(RelateRuns, noNumberInAPairIsTooLargeForItsPlace) {
+  std::vector<roomgraph::Run> runs = fourRuns();
+  runs.resize(2);
+  const std::string good = pairBytes(test::related(runs)(0, 1));
+  const std::size_t checksum = good.find('\n') + 1, body = checksum + 64;
+  for (std::size_t at = body; at < std::min(good.size(), body + 200 * sizeof(double));
+       at += sizeof(double))
+    for (const double value : {1e300, -1e300, 4e9, -1.0, 0.5, HUGE_VAL, double(NAN)}) {
+      std::string bad = good;
+      std::memcpy(&bad[at], &value, sizeof value);
+      const auto* bytes = reinterpret_cast<const std::uint8_t*>(bad.data());
+      bad.replace(checksum, 64, sha256Of({bytes + body, bad.size() - body}));
+      pairOfBytes(bad, runs[0].map, runs[1].map);  // UBSan looks at the casts, ASan at the sizes
+    }
 }
 
 TEST(RelateRuns, aPairIsKeptForTheMapsThatItIsOf) {

@@ -1,7 +1,10 @@
 #include "keep_pairs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <limits>
+#include <type_traits>
 #include <utility>
 
 #include "related_sources.h"
@@ -13,9 +16,19 @@ namespace {
 
 constexpr std::string_view kHead = "roomgraph/pair\n";
 
+/** Whether a T can have the value. */
+template <typename T>
+bool holds(double wide) {
+  if constexpr (std::is_floating_point_v<T>)
+    return std::abs(wide) <= kFarthestPlace || std::isinf(wide);
+  // As doubles, the limits of the larger types are powers of two, which are too large.
+  return wide >= double(std::numeric_limits<T>::min()) &&
+         wide < std::ldexp(1.0, std::numeric_limits<T>::digits) && wide == std::floor(wide);
+}
+
 /** The numbers of a pair one after the other, each as a double, which holds all of them exactly.
  *  What it is shown it writes behind the others or, made of bytes, reads: one list of fields for
- *  both ways. Once all are read, there are but zeros. */
+ *  both ways. Once all are read, or one cannot be, there are but zeros. */
 class Numbers {
  public:
   Numbers() = default;
@@ -41,7 +54,7 @@ class Numbers {
     if (isRead_ && isOne) value.emplace();
     return isOne;
   }
-  bool areAllRead() const { return next_ == all_.size(); }
+  bool areAllRead() const { return next_ == all_.size() && areWhole_; }
   std::string bytes() const {
     return {reinterpret_cast<const char*>(all_.data()), all_.size() * sizeof(double)};
   }
@@ -50,13 +63,15 @@ class Numbers {
   template <typename T>
   void showOne(T& value) {
     if (!isRead_) return all_.push_back(double(value));
-    value = next_ < all_.size() ? T(all_[next_]) : T();
+    const double wide = next_ < all_.size() ? all_[next_] : 0;
     ++next_;
+    areWhole_ = areWhole_ && holds<T>(wide);
+    value = areWhole_ ? T(wide) : T();
   }
 
   std::vector<double> all_;
   std::size_t next_ = 0;
-  bool isRead_ = false;
+  bool isRead_ = false, areWhole_ = true;
 };
 
 void show(Numbers& numbers, Transform2D& pose) { numbers.show(pose.x, pose.y, pose.phi); }
@@ -93,10 +108,35 @@ void show(Numbers& numbers, MapPair& pair) {
   show(numbers, pair.aInB);
 }
 
-/** No pair may lead to patches that are not there. */
 bool areOf(const FollowedWalls& walls, const WallMap& map) {
   return std::all_of(walls.patches.begin(), walls.patches.end(),
-                     [&](const FollowedPatch& f) { return f.patch < map.patches.size(); });
+                     [&](const FollowedPatch& followed) {
+                       return followed.patch < map.patches.size() && followed.layer >= 0;
+                     });
+}
+
+double radiusOf(const WallMap& map) {
+  return 0.5 * map.frame.resolution * std::hypot(map.frame.width, map.frame.height);
+}
+
+/** Whether maps and patches lie where two maps that meet can lie: elsewhere, the site would be as
+ *  large as the pose is wrong. `walls` are those of b in a. */
+bool canMeet(const FollowedWalls& walls, const WallMap& a, const WallMap& b) {
+  const double farthest = 2 * (radiusOf(a) + radiusOf(b));
+  const auto isNear = [&](const Transform2D& pose) {
+    return norm(pose(b.middle()) - a.middle()) <= farthest;
+  };
+  return isNear(walls.pose) &&
+         std::all_of(walls.patches.begin(), walls.patches.end(),
+                     [&](const FollowedPatch& followed) { return isNear(followed.pose); });
+}
+
+bool canMeet(const MapPair& pair, const WallMap& a, const WallMap& b) {
+  if (!pair.alignment.isSameSite) return true;  // then none of them is used
+  FollowedWalls wholes;
+  wholes.pose = pair.alignment.pose;
+  for (const Transform2D& pose : pair.alignment.poses) wholes.patches.push_back({0, pose, 0, 0});
+  return canMeet(wholes, a, b) && canMeet(pair.bInA, a, b) && canMeet(pair.aInB, b, a);
 }
 
 }  // namespace
@@ -152,7 +192,8 @@ std::optional<MapPair> pairOfBytes(std::string_view bytes, const WallMap& a, con
   MapPair pair;
   Numbers numbers(body);
   show(numbers, pair);
-  if (!numbers.areAllRead() || !areOf(pair.bInA, b) || !areOf(pair.aInB, a)) return {};
+  if (!numbers.areAllRead() || !areOf(pair.bInA, b) || !areOf(pair.aInB, a) || !canMeet(pair, a, b))
+    return {};
   return pair;
 }
 

@@ -42,7 +42,7 @@ std::string fingerprint(const WallMap& map);
 std::string pairBytes(const MapPair& pair);
 
 /** The pair of pairBytes, of the maps a and b. Nothing for bytes that are damaged, of another
- *  kind, or of maps with more patches. */
+ *  kind or of other maps, whatever their checksum says. */
 std::optional<MapPair> pairOfBytes(std::string_view bytes, const WallMap& a, const WallMap& b);
 
 }  // namespace roomgraph

@@ -21,8 +21,7 @@ VoronoiEdge flip(VoronoiEdge edge) {
 /** Faces of the triangulation that go, connected with each other. */
 struct Hole {
   std::vector<std::uint32_t> obstacles;  ///< that stay, round the hole
-  std::vector<VoronoiEdge>
-      rim;  ///< edges into the hole; the source stays, or is VoronoiEdge::kNoVertex
+  std::vector<VoronoiEdge> rim;          ///< edges into the hole; the source stays, or is none
 };
 
 class HoleFiller {
