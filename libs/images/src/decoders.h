@@ -68,8 +68,7 @@ void decodePgm(CheckedFile& file, const PgmHeader& header,
 struct PngHeader {
   std::uint32_t width = 0, height = 0;
   int bitsPerPixel = 0, bitsPerChannel = 0;
-  bool isColour = false;      ///< three colours in each pixel, and no palette
-  bool isInterlaced = false;  ///< rows come in seven pieces
+  bool isColour = false;  ///< three colours in each pixel, and no palette
 };
 
 /** Reads the size from the first bytes of a png. */

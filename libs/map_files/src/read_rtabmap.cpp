@@ -82,10 +82,13 @@ std::vector<std::uint8_t> unpack(ByteView packed, GridFrame& frame, const std::s
            "claims " + std::to_string(columns) + " x " + std::to_string(rows) +
                " cells, more than 400 million",
            "save it with a coarser resolution");
-  if (!isWholeStream({stream}, Deflated::asZlib, frame.cellCount())) refuseDamaged(file);
+  if (frame.cellCount() / kMostInflation > stream.size) refuseDamaged(file);
   std::vector<std::uint8_t> cells(frame.cellCount());
   uLongf size = cells.size();
-  if (uncompress(cells.data(), &size, stream.data, uLong(stream.size)) != Z_OK) refuseDamaged(file);
+  uLong used = stream.size;
+  if (uncompress2(cells.data(), &size, stream.data, &used) != Z_OK || size != cells.size() ||
+      used != stream.size)
+    refuseDamaged(file);
   return cells;
 }
 

@@ -20,6 +20,9 @@ constexpr char kGzipMark[] = "Written by roomgraph.";
 /** The same as gzip, with a comment in the header, where no reader of the content meets it. */
 std::string gzipped(const std::string& bytes, const std::string& comment);
 
+/** So many bytes come out of one of deflated data at most. */
+constexpr std::uint64_t kMostInflation = 1032;
+
 bool isZstd(ByteView head);
 
 /** What a Zstandard frame holds, found out by decompressing it: its header need not say. */
@@ -34,15 +37,5 @@ ZstdContent readZstd(ByteView frame, std::size_t headSize, std::uint64_t most,
                      const std::string& file);
 /** Decompresses what readZstd() has checked to `out`, which has room for its size. */
 void decompressZstd(ByteView frame, std::uint8_t* out, std::uint64_t size, const std::string& file);
-
-/** From how many bytes on content is first decompressed to nowhere: where it is damaged near its
- *  end, that costs no memory. */
-constexpr std::uint64_t kProveFrom = 100'000'000;
-
-enum class Deflated { asGzip, asZlib };
-
-/** Whether the pieces, one after the other, are one whole stream of `size` bytes with the right
- *  checksum. No memory but 64 KiB; O(size). */
-bool isWholeStream(const std::vector<ByteView>& pieces, Deflated kind, std::uint64_t size);
 
 }  // namespace roomgraph
