@@ -81,6 +81,10 @@ TEST_F(Rtabmap, absurdGridsAreRefused) {
   expectRefused(rtabmapDatabase(sqlBlob(packedMatrix(cells, 3, 3))), "damaged");
   expectRefused(rtabmapDatabase(sqlBlob(packedMatrix(cells, 2, 2))), "damaged");
   expectRefused(rtabmapDatabase(sqlBlob(packedMatrix(cells, -2, -3))), "damaged");
+  expectRefused(rtabmapDatabase(sqlBlob(packedMatrix(cells, 20'000, 20'000))), "damaged");
+  std::string followed = packedMatrix(cells, 2, 3);
+  followed.insert(followed.size() - 12, "x");  // between the cells and how many they are
+  expectRefused(rtabmapDatabase(sqlBlob(followed)), "damaged");
   expectRefused(rtabmapDatabase(sqlBlob(packedMatrix(cells, 2, 3, 5))),
                 "damaged");  // 32-bit floats
   expectRefused(rtabmapDatabase(sqlBlob(packedMatrix(cells, 100'000, 100'000))), "400 million");
