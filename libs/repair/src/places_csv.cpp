@@ -77,7 +77,7 @@ class PlacesTable {
   Cells names_;
 };
 
-std::string lineOf(const Cells& cells) { return boost::algorithm::join(cells, ",") + "\n"; }
+std::string csvRow(const Cells& cells) { return boost::algorithm::join(cells, ",") + "\n"; }
 
 /** Cells as they are written: texts as fields. */
 Cells fieldsOf(const Cells& cells) {
@@ -97,7 +97,7 @@ std::string carriedCsv(const std::string& text, const std::string& file,
   };
   const std::size_t state = columnOf("state"), error = columnOf("error_m"),
                     reason = columnOf("reason");
-  std::string out = lineOf(fieldsOf(names));
+  std::string out = csvRow(fieldsOf(names));
   for (const CarriedThing& place : carried) {
     Cells fields = fieldsOf(table.nextLine());
     fields.resize(names.size());
@@ -108,7 +108,7 @@ std::string carriedCsv(const std::string& text, const std::string& file,
     set("x", &Transform2D::x), set("y", &Transform2D::y), set("yaw", &Transform2D::phi);
     fields[state] = nameOf(place.state), fields[error] = csvNumber(place.error);
     fields[reason] = csvField(place.reason);
-    out += lineOf(fields);
+    out += csvRow(fields);
   }
   return out;
 }
