@@ -15,7 +15,7 @@ Comparison sample() {
   Comparison comparison;
   comparison.runs.resize(3);
   comparison.runs[0].name = "good", comparison.runs[0].score = RunScore{};
-  comparison.runs[0].score->score = 90;
+  comparison.runs[0].score->score = 90, comparison.runs[0].score->isMeaningful = true;
   comparison.runs[0].measures = {{"coverage", kNearlyAll, "1", 100, {}, {}, true}};
   comparison.runs[1].name = "little";
   comparison.runs[1].measures = {{"bend", 0.1, "m", 100, {}, {}, true},
@@ -37,10 +37,31 @@ TEST(Gate, eachRunMustHaveItsScoreButTheReference) {
   GateOptions options;
   options.minScore = 90;
   EXPECT_EQ(gateVerdict(sample(), options).complaints,
-            (Lines{"little: has no score", "other: has no score", "damaged: has no score"}));
+            (Lines{"little: its score cannot be told: too little to compare", "other: has no score",
+                   "damaged: has no score"}));
   options.minScore = 90.1;
   EXPECT_EQ(gateVerdict(sample(), options).complaints.front(),
             "good: its score of 90.0 is 0.1 below 90.1");
+}
+
+TEST(Gate, aScoreThatNothingBacksDoesNotPass) {
+  GateOptions options;
+  options.minScore = 50;
+  Comparison comparison = sample();
+  comparison.runs[0].score->isMeaningful = false;
+  EXPECT_EQ(gateVerdict(comparison, options).complaints.front(),
+            "good: its score cannot be told: too little to compare");
+}
+
+TEST(Gate, aMapThatWasComparedWithNoneDoesNotPass) {
+  GateOptions options;
+  options.failsOnBreaks = true;
+  Comparison comparison = sample();
+  comparison.breaks.clear();
+  EXPECT_TRUE(gateVerdict(comparison, options).isPassed());
+  comparison.runs.resize(1);
+  EXPECT_EQ(gateVerdict(comparison, options).complaints,
+            Lines{"nothing was compared, as one map alone was left"});
 }
 
 TEST(Gate, coverageIsFoundByItsNameAndCountsAsItIs) {
@@ -110,7 +131,7 @@ TEST(Gate, coverageIsRoundedToItsSideOfTheLimit) {
   GateOptions options;
   options.failsOnCoverage = true;
   Comparison comparison = sample();
-  comparison.runs.resize(1);
+  comparison.runs[1].measures.clear();
   EXPECT_EQ(gateVerdict(comparison, options).margins,
             Lines{"good: has seen 70 % of what at least two runs have seen, no less than 70 %"});
   comparison.runs[0].measures[0].value = 0.6999;
@@ -245,7 +266,9 @@ TEST(Gate, aCandidateThatIsNotComparedIsNeverGood) {
   options.candidates = {"damaged"};
   EXPECT_EQ(gateVerdict(sample(), options).complaints, Lines{"damaged: could not be read"});
   options.candidates = {"good"};
-  EXPECT_EQ(gateVerdict(sample(), options).complaints,
+  Comparison untold = sample();
+  untold.runs[0].score->isMeaningful = false;
+  EXPECT_EQ(gateVerdict(untold, options).complaints,
             Lines{"good: its map error cannot be told: too little to compare"});
 }
 

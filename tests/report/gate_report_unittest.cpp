@@ -27,7 +27,9 @@ TEST(GateJunit, aTestForEachRunFailsWithItsComplaints) {
   comparison.gate =
       GateVerdict{{"b <&\"|*>\n: breaks", "b <&\"|*>\n: is bad", "c: no score"}, {}, {}};
   const std::string text = gateJunit(comparison);
-  EXPECT_TRUE(has(text, "<testsuite name=\"roomgraph\" tests=\"3\" failures=\"2\"")) << text;
+  EXPECT_TRUE(
+      has(text, "<testsuite name=\"roomgraph\" tests=\"3\" failures=\"2\" skipped=\"0\" errors"))
+      << text;
   EXPECT_TRUE(has(text, "name=\"a\"/>\n")) << text;
   EXPECT_TRUE(
       has(text, "name=\"b &lt;&amp;&quot;|*&gt;?\">\n   <failure message=\"breaks; is bad\"/>"))
@@ -37,7 +39,20 @@ TEST(GateJunit, aTestForEachRunFailsWithItsComplaints) {
 TEST(GateJunit, onlyTheCandidatesAreTests) {
   Comparison comparison = twoRuns();
   comparison.gate = GateVerdict{{}, {"a"}, {"no break"}};
+  comparison.leftOut.front().isOtherSite = true;
   EXPECT_TRUE(has(gateJunit(comparison), "tests=\"1\" failures=\"0\""));
+}
+
+TEST(GateJunit, whatCouldNotBeReadFailsAndAnotherSiteIsSkipped) {
+  Comparison comparison = twoRuns();
+  comparison.leftOut.push_back({"d", "d.gridmap", "is of another site", true});
+  comparison.gate = GateVerdict{{}, {}, {"no break"}};
+  const std::string text = gateJunit(comparison);
+  EXPECT_TRUE(has(text, "tests=\"4\" failures=\"1\" skipped=\"1\"")) << text;
+  EXPECT_TRUE(has(text, "name=\"c\">\n   <failure message=\"ends too early\"/>")) << text;
+  EXPECT_TRUE(has(text, "name=\"d\">\n   <skipped message=\"is of another site\"/>")) << text;
+  comparison.gate = GateVerdict{{}, {"a"}, {"no break"}};
+  EXPECT_TRUE(has(gateJunit(comparison), "tests=\"2\" failures=\"1\" skipped=\"0\""));
 }
 
 TEST(GateJunit, whatIsSaidOfNoRunIsATestOfItsOwn) {
@@ -61,7 +76,9 @@ TEST(GateMarkdown, hasVerdictsAndARowForEachRun) {
   EXPECT_EQ(passing.find("## The gate passes: a\n\nCriteria: no break.\n\n- a: has no break\n"), 0u)
       << passing;
   comparison.gate.reset();
-  EXPECT_EQ(gateMarkdown(comparison).find("## 2 maps compared\n\na is the best\n\n| rank"), 0u);
+  const std::string ungated = gateMarkdown(comparison);
+  EXPECT_EQ(ungated.find("## 2 maps compared\n\na is the best\n\n| rank"), 0u);
+  EXPECT_TRUE(has(ungated, "| 100 (likely) | not judged |\n")) << ungated;
   EXPECT_TRUE(has(text, "| 1 | a | 0.050 | 0.000 to 0.000 | 100 (likely) | passes |\n")) << text;
   EXPECT_TRUE(has(text, "| - | b \\<\\&\"\\|\\*\\>? |")) << text;
   EXPECT_TRUE(has(text, "left out: ends too early |\n")) << text;

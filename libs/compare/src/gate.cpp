@@ -67,6 +67,8 @@ class Judge {
     for (const LeftOutRun& run : comparison_.leftOut)
       if (isJudged(run.name)) judgeLeftOut(run);
     if (judged == 0 && lines_.empty()) lines_.push_back("no run is left to be judged");
+    if (comparison_.runs.size() < 2 && lines_.empty())
+      lines_.push_back("nothing was compared, as one map alone was left");
     return {lines_, options_.candidates, asked(), lines_.empty() ? margins() : Lines()};
   }
 
@@ -99,9 +101,16 @@ class Judge {
     }
   }
 
+  /** Says of a figure that nothing backs why it cannot be told. */
+  void complainOfDoubt(const ComparedRun& run, const char* figure) {
+    const std::string fault = comparison_.faultOf(run);
+    complain(run.name, std::string(figure) +
+                           " cannot be told: " + (fault.empty() ? "too little to compare" : fault));
+  }
+
   void judgeScore(const ComparedRun& run) {
     if (!options_.minScore) return;
-    if (!run.score) return complain(run.name, "has no score");
+    if (!trustedError(run)) return complainOfDoubt(run, "its score");
     const double left = run.score->score - *options_.minScore;
     hold("score", run.name, left,
          formatted("its score of %.1f is %.1f %s %.4g", run.score->score, std::abs(left),
@@ -191,11 +200,7 @@ class Judge {
                       "its map error cannot be told in metres, as no map tells its scale: give "
                       "--resolution");
     const auto error = trustedError(run);
-    if (!error) {
-      const std::string fault = comparison_.faultOf(run);
-      return complain(run.name, "its map error cannot be told: " +
-                                    (fault.empty() ? "too little to compare" : fault));
-    }
+    if (!error) return complainOfDoubt(run, "its map error");
     if (options_.maxError) judgeMetres(run, *options_.maxError);
     if (!options_.maxWorse) return;
     const auto record = recordError(comparison_, run.name, options_.candidates);

@@ -7,20 +7,21 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/utf8_text.h"
 #include "roomgraph/base/xml_text.h"
-#include "roomgraph/report/json_parts.h"
 
 namespace roomgraph {
 namespace {
 
 constexpr char kUnread[] = "it could not be read";
 
-/** What the gate says of a run. */
+/** What the gate says of a run, or why it could not ask. */
 struct TestCase {
   std::string name;
   std::vector<std::string> complaints;
+  std::string skipped{};
 };
 
-/** The complaints are "run: what is wrong"; those of no run that is known stand below "gate". */
+/** The complaints are "run: what is wrong"; those of no run that is known stand below "gate". A map
+ *  that could not be read fails, judged or not, as the call does. */
 std::vector<TestCase> testCases(const Comparison& comparison) {
   const GateVerdict gate = comparison.gate.value_or(GateVerdict{});
   const auto isJudged = [&](const std::string& name) {
@@ -31,7 +32,10 @@ std::vector<TestCase> testCases(const Comparison& comparison) {
   for (const ComparedRun& run : comparison.runs)
     if (run.name != comparison.reference && isJudged(run.name)) runs.push_back({run.name, {}});
   for (const LeftOutRun& run : comparison.leftOut)
-    if (isJudged(run.name)) runs.push_back({run.name, {}});
+    if (!run.isOtherSite)
+      runs.push_back({run.name, {run.reason}});
+    else if (isJudged(run.name))
+      runs.push_back({run.name, {}, run.reason});
   TestCase rest{"gate", {}};
   for (const std::string& line : gate.complaints) {
     TestCase* owner = &rest;
@@ -64,14 +68,14 @@ std::string verdictCell(const std::vector<std::string>& complaints) {
 
 std::string rowOf(const ComparedRun& run, const Comparison& comparison,
                   const std::vector<TestCase>& judged) {
-  const RunScore score = asWritten(run.score.value_or(RunScore()));
+  const RunScore score = run.score.value_or(RunScore());
   const std::string figures = run.score ? formatted("%.3f | %.3f to %.3f | %.0f (", score.mapError,
                                                     score.errorLow, score.errorHigh, score.score) +
                                               nameOf(comparison.certaintyOf(run)) + ")"
                                         : " - | - | - ";
   std::string verdict = "not judged";
   for (const TestCase& one : judged)
-    if (one.name == run.name) verdict = verdictCell(one.complaints);
+    if (comparison.gate && one.name == run.name) verdict = verdictCell(one.complaints);
   return "| " + (run.rank ? std::to_string(run.rank) : "-") + " | " + markdownText(run.name) +
          " | " + figures + " | " + verdict + " |\n";
 }
@@ -87,20 +91,29 @@ std::string headingOf(const Comparison& comparison) {
          (names.empty() ? "" : ": " + markdownText(names)) + "\n\n";
 }
 
+/** What stands in a test that does not pass. */
+std::string resultOf(const TestCase& run) {
+  if (run.complaints.empty()) return "<skipped message=\"" + xmlText(run.skipped) + "\"/>";
+  return "<failure message=\"" + xmlText(boost::algorithm::join(run.complaints, "; ")) + "\"/>";
+}
+
 std::string junitOf(const std::vector<TestCase>& runs) {
   const auto failures = std::count_if(runs.begin(), runs.end(),
                                       [](const TestCase& run) { return !run.complaints.empty(); });
-  const std::string counts =
-      "tests=\"" + std::to_string(runs.size()) + "\" failures=\"" + std::to_string(failures) + "\"";
+  const auto skipped = std::count_if(runs.begin(), runs.end(), [](const TestCase& run) {
+    return run.complaints.empty() && !run.skipped.empty();
+  });
+  const std::string counts = "tests=\"" + std::to_string(runs.size()) + "\" failures=\"" +
+                             std::to_string(failures) + "\" skipped=\"" + std::to_string(skipped) +
+                             "\"";
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites " + counts +
                      ">\n <testsuite name=\"roomgraph\" " + counts + " errors=\"0\">\n";
   for (const TestCase& run : runs) {
     text += "  <testcase classname=\"roomgraph\" name=\"" + xmlText(run.name) + "\"";
-    if (run.complaints.empty())
+    if (run.complaints.empty() && run.skipped.empty())
       text += "/>\n";
     else
-      text += ">\n   <failure message=\"" + xmlText(boost::algorithm::join(run.complaints, "; ")) +
-              "\"/>\n  </testcase>\n";
+      text += ">\n   " + resultOf(run) + "\n  </testcase>\n";
   }
   return text + " </testsuite>\n</testsuites>\n";
 }

@@ -18,7 +18,8 @@ constexpr double kMostThinned = 2.5;   ///< of `wall_sharpness`, over or below t
 
 /** What must not be. */
 struct GateOptions {
-  std::optional<double> minScore;  ///< each run must have a score, and this one at least
+  /** Each run must have a score that can be trusted, and at least this one. */
+  std::optional<double> minScore;
   /** Each run must have a map error that can be trusted, and at most this one [m]; of one that is
    *  Certainty::doubtful the upper end of its interval counts. */
   std::optional<double> maxError;
@@ -42,9 +43,9 @@ struct GateOptions {
   }
 };
 
-/** The complaints are "run: what is wrong". Scores and coverage count as they are, meaningful or
- *  not, map errors only where they can be trusted; a reference needs none of them. Where no run is
- *  left to judge, that is a complaint.
+/** The complaints are "run: what is wrong". Coverage counts as it is, meaningful or not, scores and
+ *  map errors only where they can be trusted; a reference needs none of them. Where no run is left
+ *  to judge, or to judge it by, that is a complaint.
  *
  *      GateOptions gate;
  *      gate.maxError = 0.3, gate.failsOnBreaks = true, gate.candidates = {"tonight"};
