@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <utility>
 
 #include "TestFolder.h"
 #include "drawn_building.h"
@@ -73,6 +74,22 @@ TEST(AddRun, runsWhoseFilesAreGoneAreNotComparedWith) {
   office.add(office.map("b.pgm", {3, 1, 0.5}));
   std::sort(office.missing.begin(), office.missing.end());
   EXPECT_EQ(office.missing, (std::vector<std::string>{gone}));
+}
+
+TEST(AddRun, aRunThatCameInTheMeantimeIsComparedWithToo) {
+  Office office;
+  const std::string gone = office.map("gone.pgm", {});
+  office.add(gone);
+  std::filesystem::remove(gone);
+  bool isFirst = true;
+  office.options.onMissing = [&](const HistoryRun&) {
+    if (!std::exchange(isFirst, false)) return;
+    Archive archive(office.folder / "office.db", Archive::Access::existing);
+    addRun(archive, office.map("fast.pgm", {1, 2, 0.3}), office.options);
+  };
+  const AddedRun added = office.add(office.map("slow.pgm", {3, 1, 0.5}));
+  EXPECT_TRUE(added.score) << added.reason;
+  EXPECT_EQ(office.archive.runs("office").size(), 3u);
 }
 
 TEST(AddRun, aMapThatCannotBeUsedLeavesTheArchiveAsItWas) {

@@ -51,6 +51,7 @@ class Recorder {
   Added record(const Addition& addition) {
     Transaction transaction(database_);
     const std::int64_t site = siteOf(addition.site);
+    if (isOutdated(site, addition)) return {0, "", true};
     reformSite(database_, site, addition.comparison);
     std::vector<Entry> runs = newRuns(site, addition);
     if (runs.empty()) return {};
@@ -72,6 +73,12 @@ class Recorder {
   std::int64_t siteOf(const std::string& name) {
     database_.run("INSERT OR IGNORE INTO site (name) VALUES (?)", name);
     return database_.number("SELECT id FROM site WHERE name = ?", name);
+  }
+
+  /** Whether another program has changed the site since: the new run would not be told by all. */
+  bool isOutdated(std::int64_t site, const Addition& addition) {
+    const auto runs = database_.number("SELECT count(*) FROM run WHERE site = ?", site);
+    return addition.knownRuns && std::size_t(runs) != *addition.knownRuns;
   }
 
   /** The key of a run that is there, else 0. */

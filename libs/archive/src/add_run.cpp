@@ -50,6 +50,22 @@ void checkAlone(const ReadRuns& read, const std::string& sha256, Comparison& com
       {kSelfBreaks, double(check.breaks.size()), "1", scans, {}, {}, true});
 }
 
+/** The new run beside those of its site that are worth it. */
+Addition comparedWithRecord(const Archive& archive, const std::string& added,
+                            const std::string& sha256, const AddRunOptions& options) {
+  const std::vector<HistoryRun> known = archive.runs(options.site);
+  std::vector<std::string> files;
+  for (const HistoryRun& run : recordRuns(known, options.most, options.onMissing))
+    files.push_back(run.file);
+  const ReadRuns read = readAll(files, added, options);
+  Addition addition;
+  addition.site = options.site, addition.knownRuns = known.size();
+  addition.runs = {{sha256, options.robot, added, options.time ? *options.time : runTime(added)}};
+  addition.comparison = compareMaps(read, options.compare);
+  checkAlone(read, sha256, addition.comparison);
+  return addition;
+}
+
 AddedRun resultOf(const Addition& addition, const std::string& file, const Added& added) {
   AddedRun result;
   result.sha256 = addition.runs.front().sha256;
@@ -69,20 +85,14 @@ AddedRun resultOf(const Addition& addition, const std::string& file, const Added
 AddedRun addRun(Archive& archive, const std::string& file, const AddRunOptions& options) {
   const std::string added = fs::absolute(file).lexically_normal().string();
   const std::string sha256 = mapSha256(added);
-  if (archive.knows(options.site, sha256)) return {sha256, true, false, {}, "", ""};
+  Added result;
   Addition addition;
-  addition.site = options.site;
-  addition.runs = {{sha256, options.robot, added, options.time.value_or(0)}};
-  std::vector<std::string> files;
-  for (const HistoryRun& run :
-       recordRuns(archive.runs(options.site), options.most, options.onMissing))
-    files.push_back(run.file);
-  const ReadRuns read = readAll(files, added, options);
-  if (!options.time) addition.runs.front().time = runTime(added);
-  addition.comparison = compareMaps(read, options.compare);
-  checkAlone(read, sha256, addition.comparison);
-  if (!options.kept.empty()) addition.runs.front().file = keepMap(added, sha256, options.kept);
-  const Added result = archive.record(addition);
+  do {  // anew where another program was faster
+    if (archive.knows(options.site, sha256)) return {sha256, true, false, {}, "", ""};
+    addition = comparedWithRecord(archive, added, sha256, options);
+    if (!options.kept.empty()) addition.runs.front().file = keepMap(added, sha256, options.kept);
+    result = archive.record(addition);
+  } while (result.isOutdated);
   if (result.runs == 0 && !archive.knows(options.site, sha256))
     throw DataError(added + ": was changed while it was added: add it again");
   return resultOf(addition, added, result);

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,12 +16,16 @@ struct Addition {
   std::string site;
   std::vector<HistoryRun> runs;  ///< of the compared ones, those that may be new
   Comparison comparison;
+  /** How many runs the site had when the comparison began; nothing to keep it whatever was added
+   *  since. */
+  std::optional<std::size_t> knownRuns{};
 };
 
 /** What became of it. */
 struct Added {
   std::size_t runs = 0;     ///< that were not known before
   std::string roomsFailed;  ///< why its rooms could not be told from those that are known; or empty
+  bool isOutdated = false;  ///< nothing was kept: the site has other runs by now, see `knownRuns`
 };
 
 /** One file that keeps, of every run of one or several sites, where it comes from, its figures and
