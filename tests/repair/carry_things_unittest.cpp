@@ -36,7 +36,9 @@ TEST(CarryThings, aThingIsAsSureAsItsLeastSurePlace) {
   EXPECT_EQ(things[1].error, 0.1);
   EXPECT_EQ(things[2].state, CarryState::carried);
   EXPECT_EQ(things[2].poses.size(), 3u);
-  EXPECT_EQ(things[3].state, CarryState::carried);
+  EXPECT_EQ(things[3].state, CarryState::unsure);
+  EXPECT_EQ(things[3].reason, "it has no place in its file");
+  EXPECT_FALSE(things[3].error);
 }
 
 TEST(CarryThings, whatIsNotKnownGoesAlongWithWhatIs) {

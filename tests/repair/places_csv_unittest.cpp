@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "carried_by.h"
+#include "refusal.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/repair/places_formats.h"
 
@@ -43,6 +44,22 @@ TEST(PlacesCsv, otherColumnsStay) {
 TEST(PlacesCsv, whatWasCarriedBeforeIsToldAnew) {
   EXPECT_EQ(test::textBy({1, 0, 0}, csvPlaces("state,x,y,reason\ngone,1,2,a wall\n", "goals.csv")),
             "state,x,y,reason,error_m\ncarried,2.0000,2.0000,,0.0500\n");
+}
+
+TEST(PlacesCsv, whatWasUnseenBeforeStaysInTheTable) {
+  const MarkedFile file = csvPlaces("name,x,y,yaw\na,,,\nb,1,2,0\n", "goals.csv");
+  ASSERT_EQ(file.things.size(), 2u);
+  EXPECT_EQ(file.places.size(), 1u);
+  EXPECT_EQ(test::textBy({1, 0, 0}, file),
+            "name,x,y,yaw,state,error_m,reason\na,,,,unsure,,it has no place in its file\n"
+            "b,2.0000,2.0000,0.0000,carried,0.0500,\n");
+}
+
+TEST(PlacesCsv, cellsBesideTheColumnsAreRefusedUnlessTheyAreEmpty) {
+  EXPECT_EQ(csvPlaces("x,y\n1,2,\n", "goals.csv").places.size(), 1u);
+  EXPECT_EQ(test::refusalOf([] { csvPlaces("x,y\n1,2,3\n", "goals.csv"); }),
+            "goals.csv: has 3 cells in line 2, and 2 columns: name each column in its first line, "
+            "and put texts with commas in quotes");
 }
 
 TEST(PlacesCsv, whatIsNoPlaceIsRefused) {

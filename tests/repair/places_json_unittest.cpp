@@ -38,6 +38,11 @@ TEST(PlacesGeojson, allButCornersAndStatesStays) {
                         feature("{" + kState, "LineString", "[[15.0,0.0],[16.0,0.0]]")}));
 }
 
+TEST(PlacesGeojson, aByteOrderMarkIsNoPartOfIt) {
+  EXPECT_TRUE(looksLikeGeojson("\xef\xbb\xbf{}"));
+  EXPECT_EQ(read("\xef\xbb\xbf" + collection({feature("{}", "Point", "[1,2]")})).things.size(), 1u);
+}
+
 TEST(PlacesGeojson, boxesOfTheOldMapGo) {
   const std::string text = test::textBy(
       kMotion, read(R"({"bbox":[0,0,9,9],"type":"FeatureCollection","name":"mine","features":[)" +

@@ -60,7 +60,9 @@ TEST(PlacesOsm, whatIsNoOsmIsRefused) {
   for (const std::string& text :
        {std::string("<osm>"), std::string("<html></html>"), osm(""), osm(kRoot + "<node id='-2'/>"),
         osm(kRoot + "<node id='-2' lat='x' lon='0'/>"),
-        osm(kRoot + "<node id='-2' lat='9' lon='0'/>"), osm(kRoot + "<way id='\xfc'/>")})
+        osm(kRoot + "<node id='-2' lat='9' lon='0'/>"), osm(kRoot + "<way id='\xfc'/>"),
+        osm("<node id='-1' lat='90' lon='0'><tag k='name' v='root'/></node>"),
+        osm(kRoot + node("-2", {1, 2}) + "/>" + node("-2", {3, 2}) + "/>")})
     EXPECT_THROW(osmPlaces(text, "a.osm"), DataError) << text;
 }
 

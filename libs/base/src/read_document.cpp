@@ -51,7 +51,7 @@ void refuseDocument(const std::string& name, const Broken& broken, const std::st
 }
 
 std::string jsonFault(const std::string& text, const std::string& format) {
-  const char* const blank = " \t\r\n";
+  const char* const blank = " \t\r\n\xef\xbb\xbf";  // or a byte order mark
   const auto first = text.find_first_not_of(blank), last = text.find_last_not_of(blank);
   if (first == std::string::npos) return "is empty";
   if (text[first] != '{' || text[last] != '}') return "is not JSON, or only a part of it";

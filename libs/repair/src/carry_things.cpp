@@ -67,6 +67,10 @@ std::vector<CarriedThing> carriedThings(const MarkedFile& file,
       for (const std::size_t i : *places)
         were.push_back(file.places[i].pose), there.poses.push_back(poses[i]);
     const std::vector<bool> hasMoved = keepShape(were, there.poses);
+    if (were.empty()) {
+      there.state = CarryState::unsure, there.reason = "it has no place in its file";
+      continue;
+    }
     there.error = 0;
     for (std::size_t i = 0; i < thing.places.size(); ++i) {
       CarriedPlace place = carried[thing.places[i]];

@@ -3,10 +3,12 @@
 #include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/csv_text.h"
 #include "roomgraph/base/file_name.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/repair/places_formats.h"
 
 namespace roomgraph {
@@ -29,7 +31,8 @@ class PlacesTable {
     for (const char* needed : {"x", "y"})
       if (!columnOf(needed))
         refuse(file, std::string("has no column '") + needed + "'",
-               "name the columns in its first line, with commas between them: name,x,y,yaw");
+               "give GeoJSON, osmAG, a site.json, a mask's yaml, or a table whose first line names "
+               "its columns: name,x,y,yaw");
   }
 
   const Cells& names() const { return names_; }
@@ -39,7 +42,13 @@ class PlacesTable {
     while (!reader_.isAtEnd()) {
       Cells cells = reader_.nextLine();
       if (cells.size() == 1 && cells[0].empty()) continue;
-      cells.resize(std::max(cells.size(), names_.size()));
+      while (cells.size() > names_.size() && cells.back().empty()) cells.pop_back();
+      if (cells.size() > names_.size())
+        refuse(file_,
+               formatted("has %zu cells in line %zu, and %zu columns", cells.size(), reader_.line(),
+                         names_.size()),
+               "name each column in its first line, and put texts with commas in quotes");
+      cells.resize(names_.size());
       return cells;
     }
     return {};
@@ -51,13 +60,16 @@ class PlacesTable {
     return std::size_t(found - names_.begin());
   }
 
-  Place placeOf(const Cells& cells) const {
-    Place place;
-    if (const auto name = columnOf("name")) place.name = cells[*name];
-    if (place.name.empty()) place.name = "line " + std::to_string(reader_.line());
-    place.pose = {numberIn(cells, "x"), numberIn(cells, "y"), 0};
-    if (columnOf("yaw")) place.pose.phi = numberIn(cells, "yaw");
-    return place;
+  std::string nameOf(const Cells& cells) const {
+    const auto name = columnOf("name");
+    return name && !cells[*name].empty() ? cells[*name] : "line " + std::to_string(reader_.line());
+  }
+
+  /** None of what was carried to where the map has not been, and has no x and y since. */
+  std::optional<Transform2D> poseIn(const Cells& cells) const {
+    if (cells[*columnOf("x")].empty() && cells[*columnOf("y")].empty()) return std::nullopt;
+    return Transform2D{numberIn(cells, "x"), numberIn(cells, "y"),
+                       columnOf("yaw") ? numberIn(cells, "yaw") : 0};
   }
 
  private:
@@ -119,8 +131,12 @@ MarkedFile csvPlaces(const std::string& text, const std::string& file) {
   MarkedFile marked;
   PlacesTable table(text, file);
   for (Cells cells = table.nextLine(); !cells.empty(); cells = table.nextLine()) {
-    marked.places.push_back(table.placeOf(cells));
-    marked.things.push_back({marked.places.back().name, {marked.places.size() - 1}});
+    Thing& thing = marked.things.emplace_back();
+    thing.name = table.nameOf(cells);
+    if (const auto pose = table.poseIn(cells)) {
+      thing.places = {marked.places.size()};
+      marked.places.push_back({thing.name, *pose});
+    }
   }
   marked.files = {fileName(file)};
   marked.write = [text, file](const std::vector<CarriedThing>& carried, const GridFrame&) {

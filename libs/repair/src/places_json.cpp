@@ -256,7 +256,7 @@ MarkedFile sitePlaces(const std::string& text, const std::string& file) {
 }
 
 bool looksLikeGeojson(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r\n");
+  const auto first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
   return first != std::string::npos && text[first] == '{';
 }
 

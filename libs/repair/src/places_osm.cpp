@@ -21,6 +21,7 @@
 namespace roomgraph {
 namespace {
 
+constexpr double kMostLatitude = 85;  // beyond, maps of the Earth have no east and west [degrees]
 constexpr const char* kSaveInJosm = "save it in JOSM as .osm";
 
 using Attributes = std::vector<std::pair<std::string, std::string>>;
@@ -156,7 +157,11 @@ class OsmFile {
     const auto root = std::find_if(elements_.begin(), elements_.end(), isRoot);
     if (root == elements_.end())
       refuse(file, "has no node tagged name=root, the origin of the map", kSaveInJosm);
-    origin_ = OsmOrigin(degrees(*root, "lat", file), degrees(*root, "lon", file));
+    const double latitude = degrees(*root, "lat", file);
+    if (std::abs(latitude) > kMostLatitude)
+      refuse(file, formatted("has its root at a latitude of %g degrees", latitude),
+             "put the root where the map lies");
+    origin_ = OsmOrigin(latitude, degrees(*root, "lon", file));
     for (const Element& element : elements_)
       if (element.isNode && !isRoot(element)) addNode(element, file);
     for (const Element& element : elements_)
@@ -198,7 +203,10 @@ class OsmFile {
     if (norm(place) > 1e5)  // so far the Earth is flat
       refuse(file, formatted("the node in line %zu is more than 100 km from its root", node.line),
              "put the root where the map lies");
-    nodes_[node.attribute("id")] = {&node, places_.size()};
+    if (!nodes_.emplace(node.attribute("id"), std::make_pair(&node, places_.size())).second)
+      refuse(file,
+             formatted("has a second node %s in line %zu", node.attribute("id").c_str(), node.line),
+             "give each an id of its own");
     places_.push_back({node.attribute("id"), {place.x, place.y, 0}});
   }
 
