@@ -11,6 +11,7 @@
 #include "map_files.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/Json.h"
 #include "roomgraph/compare/prepare_run.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/measures/measure_kinds.h"
@@ -204,6 +205,12 @@ TEST(CompareRuns, aBentRunRanksLast) {
   EXPECT_GT(result.runs[2].score->low, result.runs[3].score->score);
   EXPECT_LT(result.runs[3].score->trust, 0.5 * result.runs[2].score->trust);
   EXPECT_EQ(result.verdict.rfind(result.runs[0].name + " is the best map", 0), 0u);
+}
+
+TEST(CompareRuns, figuresHaveTheDigitsThatFilesHold) {
+  for (const ComparedRun& one : compared(threeGoodAndABentRun()).runs)
+    for (const double figure : {one.score->mapError, one.score->errorHigh, one.score->score})
+      EXPECT_EQ(figure, rounded(figure)) << one.name;
 }
 
 TEST(CompareRuns, theOrderOfTheRunsChangesNothing) {

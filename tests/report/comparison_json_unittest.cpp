@@ -80,8 +80,7 @@ TEST(ComparisonText, aNameStaysOnItsLine) {
 
 TEST(ComparisonText, isTheSameOfTheFile) {
   Comparison comparison = sample();
-  comparison.runs[0].score->mapError = 0.08148;  // 0.0815 in the file
-  comparison.runs[0].score->score = 84.94996;
+  comparison.runs[0].score->mapError = 0.0815, comparison.runs[0].score->score = 84.95;
   comparison.runs[0].measures.assign(1, {"coverage", 0.91496, "1", 1, {}, {}, true});
   const Comparison again = parseComparisonJson(comparisonJson(comparison), "comparison.json");
   EXPECT_EQ(comparisonText(again), comparisonText(comparison));

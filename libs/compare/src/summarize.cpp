@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "explain_comparison.h"
+#include "roomgraph/base/Json.h"
 #include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/relate/DistinctMaps.h"
@@ -46,6 +47,18 @@ void rank(std::vector<ComparedRun>& runs) {
     const bool isSame = i > 0 && runs[i].score->isMeaningful == runs[i - 1].score->isMeaningful &&
                         runs[i].score->mapError - runs[i - 1].score->mapError < 1e-6;
     runs[i].rank = isSame ? runs[i - 1].rank : i + 1;
+  }
+}
+
+/** The figures as files hold them: so all that is printed and judged of a comparison, or of its
+ *  file, has the same digits. */
+void roundScores(std::vector<ComparedRun>& runs) {
+  for (ComparedRun& run : runs) {
+    if (!run.score) continue;
+    RunScore& score = *run.score;
+    for (double* figure : {&score.score, &score.low, &score.high, &score.mapError, &score.errorLow,
+                           &score.errorHigh})
+      *figure = rounded(*figure);
   }
 }
 
@@ -193,6 +206,7 @@ Comparison summarize(const std::vector<Run>& runs, const MapPairs& related, cons
   result.isOneDrive = drives.size() == 1 && drives[0].size() == found.site.runs.size();
   result.runs = runsOf(found);
   rank(result.runs);
+  roundScores(result.runs);
   result.pairs = pairsOf(runs, related, found);
   for (ComparedRun& run : result.runs) run.reason = reasonOf(run, result);
   result.rooms = roomsOf(found, result.runs);

@@ -197,7 +197,7 @@ std::string comparisonText(const Comparison& comparison) {
     name.resize(width, ' ');
     const std::string share = seen >= 0 ? std::to_string(std::lround(100 * seen)) + " %" : "-";
     const std::string line =
-        run.score ? scoreText(asWritten(*run.score), share, nameOf(comparison.certaintyOf(run)))
+        run.score ? scoreText(*run.score, share, nameOf(comparison.certaintyOf(run)))
                   : formatted("  %5s %12s  %13s  %13s  %8s\n", "-", "", "-", "", share.c_str());
     std::string place = run.rank ? std::to_string(run.rank) : "-";
     text +=

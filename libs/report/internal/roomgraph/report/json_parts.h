@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "roomgraph/base/mapped.h"
-#include "roomgraph/compare/RunScore.h"
 #include "roomgraph/geometry/point_json.h"
 #include "roomgraph/ledger/SiteRoom.h"
 #include "roomgraph/measures/Measure.h"
@@ -36,15 +35,6 @@ inline Json placedRoomJson(const SiteRoom& room, const Json& doors) {
           {"polygon", ringJson(room.polygon.outer)},
           {"holes", mapped(room.polygon.holes, ringJson)},
           {"doors", doors}};
-}
-
-/** The figures as comparison.json holds them: what is printed of a comparison and of its file is
- *  the same, though it has fewer digits. */
-inline RunScore asWritten(RunScore score) {
-  for (double* figure :
-       {&score.score, &score.low, &score.high, &score.mapError, &score.errorLow, &score.errorHigh})
-    *figure = rounded(*figure);
-  return score;
 }
 
 /** A figure as all files hold it, under its name. */
