@@ -10,7 +10,7 @@ namespace {
 /** A run beside a reference that lies elsewhere in the frame of the site. */
 class AskReference : public testing::Test {
  protected:
-  std::vector<MapBreak> askAbout(const std::vector<Keyframe>& frames) {
+  ReferenceFaults askAbout(const std::vector<Keyframe>& frames) {
     reference_ = test::runOf(frames);
     Site site;
     site.runs = {&run_, &reference_}, site.poses = {{}, {3, 4, M_PI / 2}}, site.reference = 1;
@@ -24,13 +24,15 @@ class AskReference : public testing::Test {
 };
 
 TEST_F(AskReference, aSoundOneLeavesAllScoresMeaningful) {
-  EXPECT_TRUE(askAbout(test::driveForthAndBack()).empty());
+  const ReferenceFaults faults = askAbout(test::driveForthAndBack());
+  EXPECT_TRUE(faults.breaks.empty());
+  EXPECT_EQ(faults.doubled, 0);
   EXPECT_TRUE(scores_[0]->isMeaningful);
 }
 
 TEST_F(AskReference, nobodyIsMeasuredByABrokenOne) {
   const auto frames = test::broken(test::driveForthAndBack(), 50, 1.6, {1, 2});
-  const std::vector<MapBreak> breaks = askAbout(frames);
+  const std::vector<MapBreak> breaks = askAbout(frames).breaks;
   ASSERT_EQ(breaks.size(), 1u);
   EXPECT_EQ(breaks[0].keyFrame, 50u);
   const Point drawn = Transform2D{3, 4, M_PI / 2}(frames[49].pose.shift());
@@ -39,8 +41,15 @@ TEST_F(AskReference, nobodyIsMeasuredByABrokenOne) {
   EXPECT_FALSE(scores_[1]);
 }
 
+TEST_F(AskReference, norByOneThatHasDrawnItsRoomsTwice) {
+  const ReferenceFaults faults = askAbout(test::drifting(test::driveForthAndBack(), 0.005));
+  EXPECT_TRUE(faults.breaks.empty());
+  EXPECT_GT(faults.doubled, 0.5);
+  EXPECT_FALSE(scores_[0]->isMeaningful);
+}
+
 TEST_F(AskReference, oneWithoutScansTellsNothing) {
-  EXPECT_TRUE(askAbout({}).empty());
+  EXPECT_TRUE(askAbout({}).breaks.empty());
   EXPECT_TRUE(scores_[0]->isMeaningful);
 }
 

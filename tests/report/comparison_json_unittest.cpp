@@ -17,7 +17,7 @@ Comparison sample() {
   comparison.runs[2].isScaleEstimated = true, comparison.runs[2].sha256 = "abc";
   comparison.pairs[1].transform.reset(), comparison.pairs[2].runnerUp.reset();
   comparison.reference = comparison.runs[1].name;
-  comparison.isOneDrive = true;
+  comparison.isOneDrive = true, comparison.referenceDoubled = 1.25;
   comparison.core = {comparison.runs[0].name, comparison.runs[1].name, comparison.runs[2].name};
   comparison.options.push_back({"compare", "aligned", "true", "", ""});
   comparison.options.push_back({"compare", "reference", "plan.png", "", ""});
@@ -35,6 +35,7 @@ TEST(ParseComparisonJson, givesBackAllThatWasWritten) {
     EXPECT_EQ(again.files, comparison.files);
     EXPECT_EQ(again.core, comparison.core);
     EXPECT_EQ(again.isOneDrive, comparison.isOneDrive);
+    EXPECT_EQ(again.referenceDoubled, comparison.referenceDoubled);
     ASSERT_EQ(again.rooms.size(), comparison.rooms.size());
     if (!again.rooms.empty()) {
       EXPECT_EQ(again.rooms[0].doors[0].seenIn, comparison.rooms[0].doors[0].seenIn);

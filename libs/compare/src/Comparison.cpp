@@ -77,6 +77,9 @@ std::string Comparison::faultOfReference(const ComparedRun& run) const {
            formatted("by %.1f degrees and %.2f m", std::abs(found.rotation) * 180 / M_PI,
                      found.shift);
   }
+  if (referenceDoubled > 0)
+    return formatted("the reference itself has drawn a place twice, %.2f m apart",
+                     referenceDoubled);
   if (!run.score || run.score->fitsReference()) return "";
   return formatted(
       "%.0f %% of what it and the reference found of each other contradicts the rest: the "

@@ -8,13 +8,19 @@ namespace roomgraph {
 
 // Ours
 // In:   a site with a reference
-// Out:  MapBreak of the reference
+// Out:  ReferenceFaults
 // Next: summarize
 
-/** The breaks that a reference tells of itself (checkRun, of which none is slight), in the frame of
- *  the site; none where there is no reference, of one without scans, and those of which nothing
- *  tells how large they are. Where there is one, no score is meaningful: nobody is measured by what
- *  is broken. Cost: that of checkRun. */
-std::vector<MapBreak> askReference(const Site& site, RunScores& scores);
+/** What speaks against a reference. */
+struct ReferenceFaults {
+  std::vector<MapBreak> breaks;  ///< in the frame of the site
+  double doubled = 0;            ///< how far apart it has drawn one place twice, at most [m]
+};
+
+/** What a reference tells of itself (checkRun, of which no break is slight, and those left out of
+ *  which nothing tells how large they are); nothing where there is none, or one without scans.
+ *  Where there is anything, no score is meaningful: nobody is measured by what is broken. Cost:
+ *  that of checkRun. */
+ReferenceFaults askReference(const Site& site, RunScores& scores);
 
 }  // namespace roomgraph

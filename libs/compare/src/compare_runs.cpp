@@ -63,11 +63,13 @@ Comparison compareRuns(const std::vector<Run>& runs, const MapPairs& related,
   const Trust trust = trustOf(scores, site.reference);
   const FindBreaksOptions breaking{options.breakRotation, options.breakShift};
   auto breaks = siteBreaks(site, pairs, consensus, trust, breaking, forEach);
-  if (site.reference) breaks[*site.reference] = askReference(site, scores);
+  const ReferenceFaults faults = askReference(site, scores);
+  if (site.reference) breaks[*site.reference] = faults.breaks;
   const SiteMeasures measures = measureSite(site, pairs, bends, maps, trust, breaks, forEach);
   const std::vector<SiteRoom> rooms = siteRooms(site, trust, forEach);
   returnMemory();
-  return summarize(runs, related, {site, pairs, consensus, scores, breaks, measures, rooms});
+  return summarize(runs, related,
+                   {site, pairs, consensus, scores, breaks, measures, rooms, faults.doubled});
 }
 
 Comparison compareRuns(const std::vector<Run>& runs, const CompareRunsOptions& options) {

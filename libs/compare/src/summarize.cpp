@@ -203,6 +203,7 @@ Comparison summarize(const std::vector<Run>& runs, const MapPairs& related, cons
   for (const std::size_t run : found.pairs.core) result.core.push_back(found.site.runs[run]->name);
   std::sort(result.core.begin(), result.core.end());
   const auto drives = sharedDrives(found.site.runs);
+  result.referenceDoubled = found.referenceDoubled;
   result.isOneDrive = drives.size() == 1 && drives[0].size() == found.site.runs.size();
   result.runs = runsOf(found);
   rank(result.runs);

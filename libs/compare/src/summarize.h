@@ -21,6 +21,7 @@ struct Findings {
   const std::vector<std::vector<MapBreak>>& breaks;
   const SiteMeasures& measures;
   const std::vector<SiteRoom>& rooms;
+  double referenceDoubled;  ///< see Comparison
 };
 
 /** All of it in words and by name, the runs ranked; and what is known of the runs that are not of

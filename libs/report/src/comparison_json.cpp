@@ -165,6 +165,8 @@ Json measureJson(const Measure& measure) {
 std::string comparisonJson(const Comparison& comparison) {
   JsonDocument document("roomgraph/comparison");
   document.add("reference", orNull(comparison.reference));
+  if (comparison.referenceDoubled > 0)
+    document.add("reference_doubled_m", rounded(comparison.referenceDoubled));
   if (!comparison.core.empty()) document.add("core", comparison.core);
   if (comparison.isOneDrive) document.add("one_drive", true);
   document.addList("runs", comparison.runs,

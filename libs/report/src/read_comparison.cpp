@@ -183,6 +183,8 @@ Comparison comparison(const JsonNode& top) {
     throw Broken{"version", "is not 1, the only one this program reads"};
   Comparison result;
   result.reference = ifAny(top["reference"], [](const JsonNode& name) { return name.text(); });
+  if (top.contains("reference_doubled_m"))
+    result.referenceDoubled = top["reference_doubled_m"].number();
   if (top.contains("core")) result.core = texts(top["core"]);
   result.isOneDrive = top.contains("one_drive") && isTrue(top["one_drive"]);
   result.runs = mapped(top["runs"].list(), run);

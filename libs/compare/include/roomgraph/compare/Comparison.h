@@ -109,11 +109,12 @@ struct Comparison {
   /** Names of the runs among which the consensus was worked out, where these are not all. */
   std::vector<std::string> core;
   std::optional<std::string> reference;  ///< name of the run that the others are measured against
-  bool isOneDrive = false;               ///< all runs share its scans, and perhaps its errors
-  std::string verdict;                   ///< one line
-  std::vector<UsedOption> options;       ///< all that were used, in the order of the work
-  std::optional<GateVerdict> gate;       ///< none where nothing was asked
-  std::vector<std::string> files;        ///< all that was written of it, without their folder
+  double referenceDoubled = 0;      ///< how far apart the reference has drawn one place twice [m]
+  bool isOneDrive = false;          ///< all runs share its scans, and perhaps its errors
+  std::string verdict;              ///< one line
+  std::vector<UsedOption> options;  ///< all that were used, in the order of the work
+  std::optional<GateVerdict> gate;  ///< none where nothing was asked
+  std::vector<std::string> files;   ///< all that was written of it, without their folder
 
   /** Whether a run may lie in the wrong place, so that its breaks and its error may be those of
    *  that place: no chain of pairs of kSureConfidence joins it to most of the others. False for a
