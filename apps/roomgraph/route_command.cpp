@@ -109,8 +109,9 @@ Point placeIn(const GraphFile& file, AreaId id) {
 std::string knownAreas(const GraphFile& file) {
   constexpr std::size_t kMostNames = 10;
   if (!file.areaNames.empty()) return listed(file.areaNames, kMostNames);
-  const std::size_t last = std::max<std::size_t>(file.graph.rooms.size(), 1) - 1;
-  return formatted("R0 to R%zu, C and the number of the area of a corridor", last);
+  const std::string corridors = "C and the number of the area of a corridor";
+  if (file.graph.rooms.empty()) return "it has no room; " + corridors;
+  return formatted("R0 to R%zu, ", file.graph.rooms.size() - 1) + corridors;
 }
 
 /** An area by what it is called, see areaName; or x and y [m]. */
@@ -155,21 +156,26 @@ std::string routeText(const AskedMap& asked, const Route& route, const Whereabou
   return text;
 }
 
-std::string noRouteText(const GraphFile& file, const Whereabouts& from, const Whereabouts& to) {
+std::string noRouteText(const GraphFile& file, const Whereabouts& from, const Whereabouts& to,
+                        double leastWidth) {
+  const std::string wide = leastWidth > 0 ? formatted(" that is %.2f m wide", leastWidth) : "";
   if (from.area != to.area || from.edge)
-    return "there is no way along the graph between these places\n";
+    return "there is no way along the graph" + wide + " between these places\n";
   return "both places lie in " + areaName(file, from.area) + ", which has no ways\n";
 }
 
 int run(const RouteArguments& arguments) {
-  const AskedMap asked = readAskedMap(arguments.map, toOptions(arguments.options));
+  const ExtractOptions options = toOptions(arguments.options);
+  const AskedMap asked = readAskedMap(arguments.map, options);
   const GraphFile& file = asked.file;
   const auto find = [&](const std::vector<std::string>& words, const char* option) {
     return whereItIs(asked, placeOf(file, words, option));
   };
   const Whereabouts from = find(arguments.from, "--from"), to = find(arguments.to, "--to");
-  const auto route = findRoute(file.graph, file.areas, from, to);
-  print(route ? routeText(asked, *route, from, to) : noRouteText(file, from, to));
+  const double width = arguments.options.robotWidth ? options.roomGraph.robotWidth : 0;
+  const double clearance = width > 0 ? (width + file.input.frame.resolution) / 2 : 0;
+  const auto route = findRoute(file.graph, file.areas, from, to, clearance);
+  print(route ? routeText(asked, *route, from, to) : noRouteText(file, from, to, width));
   return route ? kDone : kBadData;
 }
 

@@ -12,6 +12,10 @@ for map in g/a.json "a.pgm --resolution 0.05"; do
   [ "$(sed -n 2p out)" = "  R0" ] || fail "does not start in R0: $map"
   tail -n 1 out | grep -q 'to R1$' || fail "does not end in R1: $map"
 done
+# A robot that is too wide for the door gets no way through it.
+expect 0 "$roomgraph" route g/a.json --from R0 --to R1 --robot-width 0.3
+expect 1 "$roomgraph" route g/a.json --from R0 --to R1 --robot-width 3
+grep -q 'no way along the graph that is 3.00 m wide' out || fail "does not say that it is too wide"
 # A place that is in no free space is told, however far the nearest way is.
 expect 1 "$roomgraph" where g/a.json -5 -5
 one_line err g/a.json "(-5.00, -5.00)" "in no room and no corridor" "nearest way is" "free space"

@@ -43,9 +43,9 @@ Site threeRooms() {
   return site;
 }
 
-std::optional<Route> route(const Site& site, Point from, Point to) {
+std::optional<Route> route(const Site& site, Point from, Point to, double minClearance = 0) {
   return findRoute(site.graph, site.areas, whereIs(site.graph, site.areas, from),
-                   whereIs(site.graph, site.areas, to));
+                   whereIs(site.graph, site.areas, to), minClearance);
 }
 
 TEST(WhereIs, tellsTheAreaAndTheNearestWayInIt) {
@@ -105,6 +105,20 @@ TEST(FindRoute, ofOnePlaceOfAWayTellsHowNarrowThatIs) {
   ASSERT_TRUE(found);
   EXPECT_DOUBLE_EQ(found->length, 2);
   EXPECT_DOUBLE_EQ(found->minClearance, 0.5);
+}
+
+TEST(FindRoute, goesNoWayThatIsTooNarrow) {
+  EXPECT_TRUE(route(threeRooms(), {2, 2}, {9, 2}, 0.4));
+  EXPECT_FALSE(route(threeRooms(), {2, 2}, {9, 2}, 0.41));
+  EXPECT_FALSE(route(threeRooms(), {9, 2}, {2, 2}, 0.41));
+  EXPECT_FALSE(route(threeRooms(), {3, 2}, {2.5, 2}, 0.51)) << "along one way";
+  Site site = threeRooms();
+  std::vector<Edge> edges = site.graph.graph.edges();
+  Edge round = edges[2];
+  round.path = way({{6, 2}, {7, 3.5}, {8, 2}}, 0.6);
+  edges.push_back(round);
+  site.graph.graph = TopologyGraph(site.graph.graph.vertices(), edges);
+  EXPECT_NEAR(route(site, {5, 2}, {8, 2}, 0.5)->length, 1 + round.path.length, 1e-9);
 }
 
 TEST(FindRoute, isNoneToWhatIsNotConnected) {

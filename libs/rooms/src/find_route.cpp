@@ -22,11 +22,13 @@ std::vector<EdgeId> allEdges(const TopologyGraph& graph) {
 }
 
 /** The piece of one edge, or the way over vertices. */
-std::optional<Path> shortestPath(const TopologyGraph& graph, PlaceOnPath from, PlaceOnPath to) {
-  const ShortestWays ways(graph, allEdges(graph), from);
+std::optional<Path> shortestPath(const TopologyGraph& graph, PlaceOnPath from, PlaceOnPath to,
+                                 double minClearance) {
+  const ShortestWays ways(graph, allEdges(graph), from, minClearance);
   const Edge& last = graph.edge(to.edge);
   std::optional<Path> best;
   const auto offer = [&](Path path) {
+    if (path.minClearance < minClearance) return;
     if (!best || path.length < best->length) best = std::move(path);
   };
   if (from.edge == to.edge) {
@@ -84,9 +86,11 @@ Whereabouts whereIs(const RoomGraph& graph, const AreaGraph& areas, Point place)
 }
 
 std::optional<Route> findRoute(const RoomGraph& graph, const AreaGraph& areas,
-                               const Whereabouts& from, const Whereabouts& to) {
+                               const Whereabouts& from, const Whereabouts& to,
+                               double minClearance) {
   if (!from.edge || !to.edge) return std::nullopt;
-  const auto path = shortestPath(graph.graph, {from.edge, from.along}, {to.edge, to.along});
+  const auto path =
+      shortestPath(graph.graph, {from.edge, from.along}, {to.edge, to.along}, minClearance);
   if (!path) return std::nullopt;
   Route route{path->points, path->length, 0, path->minClearance, {}};
   const auto lead = [&](Polyline::iterator end, const Whereabouts& where) {

@@ -3,15 +3,21 @@
 namespace roomgraph {
 
 ShortestWays::ShortestWays(const TopologyGraph& graph, const std::vector<EdgeId>& edges,
-                           PlaceOnPath start)
+                           PlaceOnPath start, double minClearance)
     : graph_(graph) {
-  for (const EdgeId e : edges)
+  for (const EdgeId e : edges) {
+    if (graph.edge(e).path.minClearance < minClearance) continue;
     for (const HalfEdgeId h : {HalfEdgeId(2 * e.index()), HalfEdgeId(2 * e.index() + 1)})
       ways_[graph.source(h)].push_back(h);
+  }
   const Edge& edge = graph.edge(start.edge);
-  offer(edge.target, edge.path.length - start.along, HalfEdgeId::none(),
-        piece(edge.path, start.along, edge.path.length));
-  offer(edge.source, start.along, HalfEdgeId::none(), reversed(piece(edge.path, 0, start.along)));
+  const auto begin = [&](VertexId v, Path path) {
+    if (path.minClearance < minClearance) return;
+    const double length = path.length;
+    offer(v, length, HalfEdgeId::none(), std::move(path));
+  };
+  begin(edge.target, piece(edge.path, start.along, edge.path.length));
+  begin(edge.source, reversed(piece(edge.path, 0, start.along)));
   run();
 }
 

@@ -34,9 +34,11 @@ struct Route {
   std::vector<PassageId> passages;  ///< which it goes through, in this order
 };
 
-/** The shortest way along the graph between two places; none where they are not connected.
- *  Dijkstra's algorithm; O(n log n), and for the passages O(points * passages). */
+/** The shortest way along the graph between two places whose ways have at least this clearance [m];
+ *  none where they are not connected so. Dijkstra's algorithm; O(n log n), and for the passages
+ *  O(points * passages). */
 [[nodiscard]] std::optional<Route> findRoute(const RoomGraph& graph, const AreaGraph& areas,
-                                             const Whereabouts& from, const Whereabouts& to);
+                                             const Whereabouts& from, const Whereabouts& to,
+                                             double minClearance = 0);
 
 }  // namespace roomgraph

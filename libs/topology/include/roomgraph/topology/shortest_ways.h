@@ -18,7 +18,9 @@ struct PlaceOnPath {
  *  algorithm. Keeps a reference to the graph. O(n log n). */
 class ShortestWays {
  public:
-  ShortestWays(const TopologyGraph& graph, const std::vector<EdgeId>& edges, PlaceOnPath start);
+  /** Edges, and pieces of the first one, with less than `minClearance` are left out [m]. */
+  ShortestWays(const TopologyGraph& graph, const std::vector<EdgeId>& edges, PlaceOnPath start,
+               double minClearance = 0);
 
   [[nodiscard]] bool reaches(VertexId v) const { return best_.count(v) > 0; }
   /** `v` must be reached. */
