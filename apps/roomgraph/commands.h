@@ -27,6 +27,14 @@ CLI::Option* addOption(CLI::App& app, const std::string& names, Value& value,
   const std::size_t end = names.find(' ');
   CLI::Option* option = app.add_option(names.substr(0, end), value, sentence)
                             ->type_name(end == std::string::npos ? "" : names.substr(end + 1));
+  if (option->get_positional()) return option;
+  option->check(CLI::Validator(
+      [&app](const std::string& text) {
+        return text.rfind('-', 0) == 0 && app.get_option_no_throw(text)
+                   ? "needs a value, and '" + text + "' is an option"
+                   : std::string();
+      },
+      ""));
   if (names.rfind("-o,", 0) == 0)
     option->check(CLI::Validator(
         [](const std::string& name) {

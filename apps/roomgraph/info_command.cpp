@@ -46,7 +46,7 @@ std::string gridText(const GreyMap& map, const ExtractOptions& options) {
   const auto share = [&](State state) { return 100 * double(counts[std::size_t(state)]) / cells; };
   std::string text = formatted(
       "size        %d x %d cells, %g x %g m\nresolution  %g m\n"
-      "origin      (%g, %g) m\ncells       %.1f %% free, %.1f %% occupied, "
+      "origin      (%.10g, %.10g) m\ncells       %.1f %% free, %.1f %% occupied, "
       "%.1f %% unknown\n",
       frame.width, frame.height, frame.width * frame.resolution, frame.height * frame.resolution,
       frame.resolution, frame.origin.x, frame.origin.y, share(State::free), share(State::occupied),

@@ -12,6 +12,7 @@
 #include "output_formats.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/graph_files/ros_map.h"
@@ -32,6 +33,7 @@
 namespace roomgraph {
 namespace {
 
+constexpr const char* kGridmap = "site.gridmap.gz";
 constexpr const char* kGraphFormats = "json,svg,geojson,osm";
 const std::string kGraphStem = "site.graph.";
 
@@ -148,8 +150,8 @@ void checkFiles(const MergeArguments& arguments) {
   CallFiles files = filesReadBy(arguments.files, arguments.options);
   files.reads(arguments.reference);
   files.updates("--names", arguments.names);
-  for (const char* name : {"site.simplemap.gz", "site.gridmap.gz", "site.yaml", "site.pgm",
-                           "site.runs.png", "site.age.png"})
+  for (const char* name :
+       {"site.simplemap.gz", kGridmap, "site.yaml", "site.pgm", "site.runs.png", "site.age.png"})
     files.writes(inFolder(arguments.folder, name));
   for (const OutputFormat& format : parseFormats(kGraphFormats))
     files.writes(inFolder(arguments.folder, kGraphStem + format.extension));
@@ -181,10 +183,12 @@ int mergeSite(const MergeArguments& arguments) {
   const RunningArguments& running = arguments.running;
   const MergedMap map = mergeRuns(merging.runs, how, onThreads(running.threads, !running.isQuiet));
   tellLeftOut(map, merging);
-  const Stages stages = extract(map.map, options.extract);
+  Stages stages = extract(map.map, options.extract);
+  const std::string gridmap = gridmapBytes(map.map, stages.grid);
+  stages.source = {kGridmap, "gridmap", sha256Of(viewOf(gridmap)), ""};
   FolderFiles files{arguments.folder};
   files.add("site.simplemap.gz", siteSimplemap(merging, map));
-  files.add("site.gridmap.gz", gridmapBytes(map.map, stages.grid));
+  files.add(kGridmap, gridmap);
   files.add("site.yaml", rosMapYaml(stages.grid.frame, "site.pgm"));
   files.add("site.pgm", mapPgm(stages.grid));
   files.add("site.runs.png", runsPng(map));

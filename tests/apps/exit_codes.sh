@@ -98,6 +98,11 @@ for command in extract check convert "archive kept.db report"; do
   one_line err "--output: is empty"
 done
 
+expect 2 "$roomgraph" compare a.pgm b.pgm --junit --summary s.md
+one_line err "--junit: needs a value, and '--summary' is an option"
+expect 2 "$roomgraph" compare a.pgm b.pgm --candidate -o c
+one_line err "--candidate: needs a value"
+
 touch file
 expect 1 "$roomgraph" extract a.pgm -o file/below
 one_line err file/below

@@ -19,7 +19,10 @@ cp names.json edited.json
 expect 0 merge "$maps"/office_run[1234].simplemap.gz --names names.json
 cmp names.json edited.json || fail "names are not kept"
 python3 - <<'P'
-import json, xml.etree.ElementTree as xml
+import hashlib, json, xml.etree.ElementTree as xml
+source = json.load(open("site/site.graph.json"))["input"]
+assert (source["file"], source["kind"]) == ("site.gridmap.gz", "gridmap"), source
+assert source["sha256"] == hashlib.sha256(open("site/site.gridmap.gz", "rb").read()).hexdigest()
 names = {"Kitchen <1>", "Office (R2)", "Office (R3)"}
 areas = [area["name"] for area in json.load(open("site/site.graph.json"))["areas"]]
 assert names < set(areas) and len(set(areas)) == len(areas), areas

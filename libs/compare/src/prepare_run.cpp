@@ -5,7 +5,6 @@
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/return_memory.h"
-#include "roomgraph/base/utf8_text.h"
 #include "roomgraph/pipeline/extract.h"
 
 namespace roomgraph {
@@ -46,7 +45,7 @@ void leaveNoSpareRoomIn(Run& run) {
 Run prepareRun(const std::string& name, const GreyMap& map, const std::vector<Keyframe>& scans,
                const ExtractOptions& options) {
   Run run;
-  run.name = name, run.file = utf8Text(map.source.file);
+  run.name = name, run.file = map.source.file;
   run.resolution = map.frame.resolution;
   const Grid grid = takeGraph(extract(map, options), run);
   returnMemory();

@@ -10,6 +10,7 @@
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
+#include "roomgraph/base/utf8_text.h"
 #include "roomgraph/base/version.h"
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/measures/measure_kinds.h"
@@ -175,7 +176,8 @@ class Tables {
 
   Json leftOut() const {
     return rowsOf(comparison_.leftOut, [](const LeftOutRun& run, std::size_t) {
-      return Json{{"name", run.name}, {"file", fileName(run.file)}, {"reason", run.reason}};
+      return Json{
+          {"name", run.name}, {"file", utf8Text(fileName(run.file))}, {"reason", run.reason}};
     });
   }
 
@@ -194,7 +196,7 @@ class Tables {
     row["index"] = std::to_string(i);
     row["rank"] = run.rank ? std::to_string(run.rank) : "–";
     row["isReference"] = comparison_.reference == run.name;
-    row["file"] = fileName(run.file);
+    row["file"] = utf8Text(fileName(run.file));
     row["hash"] = run.sha256;
     row["dates"] = datesOf(run.path);
     row["reason"] = run.reason;

@@ -4,6 +4,7 @@
 
 #include "roomgraph/base/csv_text.h"
 #include "roomgraph/base/file_name.h"
+#include "roomgraph/base/utf8_text.h"
 #include "roomgraph/measures/measure_kinds.h"
 #include "roomgraph/report/json_parts.h"
 
@@ -36,7 +37,7 @@ std::string comparisonRunsCsv(const Comparison& comparison) {
   text += ",break_key_frames,break_places,break_turns_deg,break_shifts_m\n";
   for (const ComparedRun& run : comparison.runs) {
     text += (run.rank ? std::to_string(run.rank) : "") + "," + csvField(run.name) + "," +
-            csvField(fileName(run.file));
+            csvField(utf8Text(fileName(run.file)));
     for (double RunScore::*member :
          {&RunScore::score, &RunScore::low, &RunScore::high, &RunScore::mapError,
           &RunScore::errorLow, &RunScore::errorHigh})

@@ -38,7 +38,7 @@ Json runJson(const ComparedRun& run, const Comparison& comparison) {
     return run.score ? numberOrNull((*run.score).*member) : Json(nullptr);
   };
   Json json = {{"name", run.name},
-               {"file", fileName(run.file)},
+               {"file", utf8Text(fileName(run.file))},
                {"sha256", run.sha256},
                {"score", figure(&RunScore::score)},
                {"score_low", figure(&RunScore::low)},
@@ -174,7 +174,7 @@ std::string comparisonJson(const Comparison& comparison) {
   document.addList("pairs", comparison.pairs, pairJson);
   document.addList("left_out", comparison.leftOut, [](const LeftOutRun& run) {
     return Json{{"name", run.name},
-                {"file", fileName(run.file)},
+                {"file", utf8Text(fileName(run.file))},
                 {"reason", run.reason},
                 {"other_site", run.isOtherSite}};
   });
