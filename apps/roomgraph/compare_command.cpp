@@ -188,8 +188,8 @@ void check(const CompareArguments& arguments) {
         "compare: one run cannot be compared: name two; 'roomgraph check' judges a single run");
   if (arguments.comparesEachSite && isOfOneSite(arguments))
     throw UsageError(
-        "compare: --each-site is for several sites: leave --names, --reference, --candidate and "
-        "the gate out, and ask 'roomgraph report' of the comparison.json of each");
+        "compare: --each-site cannot be combined with --names, --reference, --candidate or a gate: "
+        "run 'roomgraph report' on the comparison.json of each site instead");
 }
 
 /** What could be read, but is of another site than those that were compared. */
@@ -232,11 +232,13 @@ void compareOtherSites(ReadRuns read, Comparison comparison, const CompareArgume
 
 /** Names maps of other sites, unless these are compared. Whether one could not be read at all. */
 bool printLeftOut(const Comparison& comparison, const CompareArguments& arguments) {
+  const char* const hint =
+      arguments.areAligned ? "; if it has a frame of its own, leave --aligned out" : "";
   bool isUnread = false, areMoreSites = false;
   for (const LeftOutRun& left : comparison.leftOut) {
     isUnread |= !left.isOtherSite, areMoreSites |= left.hasMates;
     const bool isCompared = arguments.comparesEachSite && left.hasMates;
-    if (left.isOtherSite && !isCompared) printError(left.file + ": " + left.reason);
+    if (left.isOtherSite && !isCompared) printError(left.file + ": " + left.reason + hint);
   }
   if (areMoreSites && !arguments.comparesEachSite && !isOfOneSite(arguments))
     printError("compare: --each-site compares each site by itself");

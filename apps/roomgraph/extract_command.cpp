@@ -129,8 +129,8 @@ class Extraction {
     for (const RoomId room : task_.keptOut)
       if (room.index() >= graph.rooms.size())
         throw DataError(
-            formatted("%s: has no room R%zu to keep robots out of: it has %zu, from R0 "
-                      "on",
+            formatted("%s: there is no room R%zu to keep robots out of: %zu rooms are numbered "
+                      "from R0 on",
                       mapFile_.c_str(), room.index(), graph.rooms.size()));
   }
 
@@ -191,7 +191,8 @@ std::vector<RoomId> keptOutRooms(const ExtractArguments& arguments,
     std::size_t number = 0;
     if (name.rfind('R', 0) != 0 || !parseNumber(name.substr(1), number))
       throw UsageError("extract: --keep-out " + name +
-                       ": is no room: name one as X.json has it, R3");
+                       ": is no room: give one as X.json numbers it, such as R3, and repeat the "
+                       "option for more");
     rooms.emplace_back(number);
   }
   if (!rooms.empty() &&

@@ -26,6 +26,27 @@ TEST(SelfConsensus, aTornRunIsLaidAsItWasDriven) {
   EXPECT_LT(test::stepsApart(consensus.poses, test::posesOf(test::driveForthAndBack())), 0.2);
 }
 
+/** A run that turns at one step, of which its scans say this, as it would lie. */
+std::vector<Transform2D> agreedPoses(const std::vector<Keyframe>& frames, StepEvidence atTurn) {
+  const Run run = test::runOf(frames);
+  MendedSteps steps{test::posesOf(frames), {frames.size(), StepEvidence::agrees}};
+  steps.evidence[20] = atTurn;
+  return selfConsensus(run, localScans(run.scans), steps).poses;
+}
+
+TEST(SelfConsensus, wallsThatTurnAreAWingUnlessSomethingSpeaksAgainstTheStep) {
+  const auto turned = test::broken(test::driveOnce(), 20, 0.14, {});
+  const auto drawn = test::posesOf(turned), straight = test::posesOf(test::driveOnce());
+  EXPECT_LT(test::stepsApart(agreedPoses(turned, StepEvidence::none), drawn), 0.02);
+  EXPECT_LT(test::stepsApart(agreedPoses(turned, StepEvidence::lost), straight), 0.05);
+}
+
+TEST(SelfConsensus, whatWasSeenAgainAcrossATurnSpeaksAgainstIt) {
+  const auto turned = test::broken(test::driveForthAndBack(), 20, 0.14, {});
+  const auto straight = test::posesOf(test::driveForthAndBack());
+  EXPECT_LT(test::stepsApart(agreedPoses(turned, StepEvidence::none), straight), 0.05);
+}
+
 /** A way of ten scans, a metre each, along which some were seen again `off` from where they lie. */
 SelfConsensus seenAgain(const std::vector<std::pair<std::size_t, std::size_t>>& pairs, double off) {
   SelfConsensus consensus;

@@ -73,6 +73,33 @@ TEST(MendSteps, aTurnThatScansOnBothSidesTellAlikeIsMended) {
   }
 }
 
+/** A drive round a ring corridor, 2 m wide, with niches in its outer wall that are so deep. */
+std::vector<Keyframe> driveRoundARing(double radius, double niches, double step) {
+  Grid grid;
+  const double resolution = 0.05;
+  const int side = int(2 * (radius + 3) / resolution);
+  grid.frame = {side, side, resolution, {-side * resolution / 2, -side * resolution / 2}};
+  grid.cells.resize(std::size_t(side) * std::size_t(side), State::occupied);
+  for (std::size_t i = 0; i < grid.cells.size(); ++i) {
+    const Point at = grid.frame.center({int(i % std::size_t(side)), int(i / std::size_t(side))});
+    const double niche = std::fmod(std::atan2(at.y, at.x) * radius + 100, 5.0) < 1 ? niches : 0;
+    if (std::abs(norm(at) - radius) < 1 || (norm(at) > radius && norm(at) < radius + 1 + niche))
+      grid.cells[i] = State::free;
+  }
+  std::vector<Transform2D> poses;
+  for (double angle = 0; angle < 2 * M_PI; angle += step / radius)
+    poses.push_back({radius * std::cos(angle), radius * std::sin(angle), angle + M_PI / 2});
+  return test::drawnDrive(grid, poses);
+}
+
+TEST(MendSteps, scansThatSlideAlongABentCorridorTellNoTurn) {
+  for (const double radius : {6.0, 10.0, 14.0})
+    for (const double niches : {0.0, 0.4})
+      for (const double step : {0.5, 0.8, 1.2})
+        EXPECT_EQ(contradictions(mended(driveRoundARing(radius, niches, step))), 0)
+            << radius << ' ' << niches << ' ' << step;
+}
+
 TEST(MendSteps, aScanThatFitsWhereTheRobotCannotHaveBeenIsNotMended) {
   // It has seen what it would have seen to the right of where it was drawn, or so far ahead that no
   // other step is as long.

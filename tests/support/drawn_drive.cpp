@@ -45,11 +45,19 @@ Keyframe seenFrom(const Grid& grid, const Transform2D& pose) {
 
 std::vector<Keyframe> drawnDrive(const Grid& grid) {
   const Row row = longestRow(grid);
-  std::vector<Keyframe> frames;
+  std::vector<Transform2D> poses;
   const int step = int(0.5 / grid.frame.resolution);
   for (int x = row.from + step; x + step < row.to; x += step) {
     const Point at = grid.frame.center({x, row.y});
-    frames.push_back(seenFrom(grid, {at.x, at.y, 0}));
+    poses.push_back({at.x, at.y, 0});
+  }
+  return drawnDrive(grid, poses);
+}
+
+std::vector<Keyframe> drawnDrive(const Grid& grid, const std::vector<Transform2D>& poses) {
+  std::vector<Keyframe> frames;
+  for (const Transform2D& pose : poses) {
+    frames.push_back(seenFrom(grid, pose));
     frames.back().number = frames.size() - 1;
   }
   return frames;

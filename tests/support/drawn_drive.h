@@ -10,6 +10,9 @@ namespace roomgraph::test {
  *  scan of 270 degrees each half metre and true poses. */
 std::vector<Keyframe> drawnDrive(const Grid& grid);
 
+/** The scans that a robot at these poses takes. */
+std::vector<Keyframe> drawnDrive(const Grid& grid, const std::vector<Transform2D>& poses);
+
 /** The same drive with everything from scan `from` on turned about the robot and shifted. */
 std::vector<Keyframe> broken(std::vector<Keyframe> frames, std::size_t from, double turn,
                              Point shift);

@@ -11,6 +11,12 @@
 namespace roomgraph {
 namespace {
 
+/** Whether something speaks against a step, so that walls which turn there are turned wrongly. Where
+ *  nothing does they are those of a wing, however little the scans say. */
+bool isDoubtful(StepEvidence evidence) {
+  return evidence == StepEvidence::contradicts || evidence == StepEvidence::lost;
+}
+
 /** The run at other poses than it has. */
 PoseGraph graphAt(const Run& run, const std::vector<Transform2D>& poses,
                   const std::vector<StepEvidence>& evidence, const std::vector<Revisit>& revisits) {
@@ -18,7 +24,7 @@ PoseGraph graphAt(const Run& run, const std::vector<Transform2D>& poses,
   const RunId id = graph.addRun(true);
   for (std::size_t k = 0; k < poses.size(); ++k) {
     const NodeId node = graph.addNode(poses[k], run.scans[k].ends, run.scans[k].axes);
-    if (!evidence.empty()) graph.nodes[node].isDoubtful = evidence[k] != StepEvidence::agrees;
+    if (!evidence.empty()) graph.nodes[node].isDoubtful = isDoubtful(evidence[k]);
     if (k > 0) graph.addLink(NodeId(k - 1), node);
   }
   for (const Revisit& revisit : revisits) graph.addGroup({id, id, {}}, revisit);

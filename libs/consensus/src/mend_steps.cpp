@@ -103,8 +103,9 @@ class Mender {
   }
 
   /** Where scans on either side of a step, each for itself, are turned alike against what was
-   *  drawn. Shifts do not count: scans slide along a corridor on both sides alike. `pose`: of
-   *  scan k - 1 in scan k, which fits by `gain` better so. Returns false where they are not. */
+   *  drawn. Shifts do not count: scans slide along a corridor on both sides alike, and turn as they
+   *  slide where it is bent. `pose`: of scan k - 1 in scan k, which fits by `gain` better so. Returns
+   *  false where they are not. */
   bool mendTurn(std::size_t k, const Transform2D& pose, double gain) {
     const Transform2D slipped = result_.poses[k - 1] * pose.inverse();
     const Transform2D alone = result_.poses[k] * pose;
@@ -124,7 +125,9 @@ class Mender {
     constexpr double kNone = -std::numeric_limits<double>::infinity();
     const Transform2D& as = result_.poses[k];
     const auto isTurned = [&](const Transform2D& other) {
-      return std::abs(wrappedAngle(other.phi - as.phi)) > kAsDrawn.turn;
+      const double turn = std::abs(wrappedAngle(other.phi - as.phi));
+      const double shift = distance(other.shift(), as.shift());
+      return turn > kAsDrawn.turn && turn / kSlipped.turn > shift / kSlipped.place;
     };
     if (!isTurned(pose) || !scans_[k].isTelling()) return kNone;
     const WallMap ahead = sides_.ahead(k, result_.poses);

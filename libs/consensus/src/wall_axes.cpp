@@ -31,8 +31,8 @@ CommonAxes commonAxes(const PoseGraph& graph, const NodePoses& poses,
   return {axesOf(nodes.front()) + middle, median(std::move(gaps))};
 }
 
-/** Whether the walls before a node and behind it lie along other axes, though the scans agree with
- *  the steps between. */
+/** Whether the walls before a node and behind it lie along other axes, though the scans do not
+ *  contradict the steps between. */
 bool doAxesTurn(const PoseGraph& graph, const NodePoses& drawn, const std::vector<NodeId>& nodes,
                 std::size_t at) {
   if (at <= fitted::kAcrossTurn || at + fitted::kAcrossTurn >= nodes.size()) return false;

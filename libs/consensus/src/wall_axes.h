@@ -24,8 +24,8 @@ double axesAngle(double angle);
 /** Most walls of a building are at right angles. Where a run has drawn walls that turn from one
  *  scan to the next, and stay so, it has come into a wing at another angle: such a stretch has axes
  *  of its own, until the walls lie along those of most again. Walls that turn slowly are a drift,
- *  whose axes are those of the building; so are those behind a step that the scans do not agree
- *  with. `start`: about where the nodes lie, site <- node. O(nodes). */
+ *  whose axes are those of the building; so are those behind a step that the scans contradict.
+ *  `start`: about where the nodes lie, site <- node. O(nodes). */
 WallAxes wallAxes(const PoseGraph& graph, const NodePoses& start);
 
 }  // namespace roomgraph

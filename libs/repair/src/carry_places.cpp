@@ -138,8 +138,9 @@ class Carrier {
     if (off > fitted::kOwnPlace) return formatted("its surroundings are shifted by %.1f m", off);
     for (const ScanFit& other : findScan(view, new_, pose, kRoughly, 1))
       if (other.score * kRivalScore > here.score)
-        return formatted("its surroundings fit better %.2f m away",
-                         distance(other.pose.shift(), pose.shift()));
+        return formatted("its surroundings fit better %.2f m away, turned by %.1f degrees",
+                         distance(other.pose.shift(), pose.shift()),
+                         std::abs(wrappedAngle(other.pose.phi - pose.phi)) * 180 / M_PI);
     return isPlaceSure_ || !looksAlikeElsewhere(place, view, here) ? "" : kAmbiguous;
   }
 

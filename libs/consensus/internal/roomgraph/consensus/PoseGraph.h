@@ -31,7 +31,7 @@ struct PoseNode {
   Transform2D pose;              ///< run <- node, as the run has it
   PointSums points;              ///< what it drew [m, frame of the node]
   std::optional<ScanAxes> axes;  ///< of its walls [frame of the node]
-  /** The scans on both sides of the step to it do not agree with that step. */
+  /** The scans on both sides of the step to it contradict that step. */
   bool isDoubtful = false;
 };
 
