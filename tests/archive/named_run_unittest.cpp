@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "refusal.h"
 #include "roomgraph/archive/SiteHistory.h"
 
@@ -18,6 +20,13 @@ TEST(NamedRun, filesNamesAndHashesNameARun) {
   const std::vector<HistoryRun> all = runs();
   for (const char* name : {"/b/other.yaml", "other.yaml", "01234567890", "0123456789000000"})
     EXPECT_EQ(&namedRun(all, name, "site.db"), &all[2]) << name;
+}
+
+TEST(NamedRun, aPathFromHereNamesARun) {
+  std::vector<HistoryRun> all = runs();
+  all[1].file = (std::filesystem::current_path() / "b/map.simplemap").string();
+  EXPECT_EQ(&namedRun(all, "b/map.simplemap", "site.db"), &all[1]);
+  EXPECT_EQ(&namedRun(all, "./b/../b/map.simplemap", "site.db"), &all[1]);
 }
 
 TEST(NamedRun, whatNamesNoneOrSeveralIsRefused) {

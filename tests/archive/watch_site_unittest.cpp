@@ -141,6 +141,15 @@ TEST(WatchSite, ofTwoMapsOfOneDayTheTimesAreTold) {
             "of 1970-01-12T00:00:00Z");
 }
 
+TEST(WatchSite, ofTwoMapsOfOneTimeAndNameTheFilesAreTold) {
+  SiteHistory history = nights(12);
+  history.runs.push_back(historyRun("anna", 11, 2.5));
+  history.runs.back().file = "/new/map.simplemap", history.runs[11].file = "/old/map.simplemap";
+  EXPECT_EQ(annaIn(history).advice,
+            "no, the map of 1970-01-12T00:00:00Z (/new/map.simplemap) is 2.500 m off, with a limit "
+            "of 0.3 m: keep that of 1970-01-12T00:00:00Z (/old/map.simplemap)");
+}
+
 TEST(WatchSite, mapsThatTellNothingOfTheSiteAreAnAlarmFromTheSecondNightOn) {
   SiteHistory history = nights(12);
   for (int n = 12; n < 14; ++n) {

@@ -1,6 +1,7 @@
 #include "roomgraph/archive/SiteHistory.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/file_name.h"
@@ -8,8 +9,11 @@
 namespace roomgraph {
 namespace {
 
+namespace fs = std::filesystem;
+
 bool isMeant(const std::string& name, const HistoryRun& run) {
-  return name == run.file || name == fileName(run.file) ||
+  if (name.empty()) return false;
+  return fs::absolute(name).lexically_normal() == run.file || name == fileName(run.file) ||
          (name.size() >= 8 && run.sha256.compare(0, name.size(), name) == 0);
 }
 

@@ -90,10 +90,13 @@ void advise(RobotWatch& watch, const std::string& fault, const SiteHistory& hist
     return watch.lastGood && watch.lastGood != watch.latest &&
            textOf(timeOf(*watch.lastGood)) == textOf(timeOf(watch.latest));
   };
+  const auto stemOf = [&](std::size_t run) { return mapStem(history.runs[run].file); };
   const bool isOneDay = isOfOne(dayText), isOneTime = isOfOne(timeText);
+  const bool isOneName = isOneTime && stemOf(*watch.lastGood) == stemOf(watch.latest);
   const auto whenOf = [&](std::size_t run) {
     const std::string when = isOneDay ? timeText(timeOf(run)) : dayText(timeOf(run));
-    return isOneTime ? when + " (" + mapStem(history.runs[run].file) + ")" : when;
+    const std::string name = isOneName ? history.runs[run].file : stemOf(run);
+    return isOneTime ? when + " (" + name + ")" : when;
   };
   const std::string map = "the map of " + whenOf(watch.latest);
   if (!fault.empty()) {
