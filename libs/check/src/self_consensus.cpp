@@ -11,8 +11,8 @@
 namespace roomgraph {
 namespace {
 
-/** Whether something speaks against a step, so that walls which turn there are turned wrongly. Where
- *  nothing does they are those of a wing, however little the scans say. */
+/** Whether something speaks against a step, so that walls which turn there are turned wrongly.
+ *  Where nothing does they are those of a wing, however little the scans say. */
 bool isDoubtful(StepEvidence evidence) {
   return evidence == StepEvidence::contradicts || evidence == StepEvidence::lost;
 }

@@ -104,8 +104,8 @@ class Mender {
 
   /** Where scans on either side of a step, each for itself, are turned alike against what was
    *  drawn. Shifts do not count: scans slide along a corridor on both sides alike, and turn as they
-   *  slide where it is bent. `pose`: of scan k - 1 in scan k, which fits by `gain` better so. Returns
-   *  false where they are not. */
+   *  slide where it is bent. `pose`: of scan k - 1 in scan k, which fits by `gain` better so.
+   *  Returns false where they are not. */
   bool mendTurn(std::size_t k, const Transform2D& pose, double gain) {
     const Transform2D slipped = result_.poses[k - 1] * pose.inverse();
     const Transform2D alone = result_.poses[k] * pose;
