@@ -55,14 +55,8 @@ class Judge {
     for (const ComparedRun& run : comparison_.runs) {
       if (run.name == comparison_.reference || !isJudged(run.name)) continue;
       ++judged;
-      judgeCopy(run);
-      judgeScore(run);
-      judgeError(run);
-      judgeCoverage(run);
-      judgeWalls(run);
-      judgeConfirmed(run);
-      judgeJitter(run);
-      judgeBreaks(run);
+      judgeCopy(run), judgeScore(run), judgeError(run), judgeCoverage(run);
+      judgeWalls(run), judgeConfirmed(run), judgeJitter(run), judgeBreaks(run);
     }
     for (const LeftOutRun& run : comparison_.leftOut)
       if (isJudged(run.name)) judgeLeftOut(run);

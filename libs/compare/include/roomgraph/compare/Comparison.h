@@ -136,10 +136,9 @@ struct Comparison {
 
   /** The one word on a run that the verdict, tables, pages and other programs agree on: *cannot
    *  tell* without a score that is meaningful, *doubtful* where its place is, or where it has drawn
-   *  walls that no other has (ComparedRun::addedWalls), *likely* where it shows less than
-   *  kNearlyAll of the site, where the others have less than kNearlyAll of its walls or do not bear
-   *  it out, where it is smeared or its scale disputed, where all runs are of one drive, or where
-   *  the interval ends above twice its error and 0.1 m; else *sure*. O(pairs). */
+   *  walls that no other has (ComparedRun::addedWalls), *likely* where it or the others show less
+   *  than kNearlyAll of each other, or do not bear it out, where it is smeared, its scale disputed,
+   *  all runs of one drive, or its interval ends above twice its error and 0.1 m; else *sure*. */
   [[nodiscard]] Certainty certaintyOf(const ComparedRun& run) const;
 
   /** The names of the runs of each map that is there more than once, ascending. O(pairs). */
