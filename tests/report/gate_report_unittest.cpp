@@ -27,8 +27,8 @@ TEST(GateJunit, aTestForEachRunFailsWithItsComplaints) {
   comparison.gate =
       GateVerdict{{"b <&\"|*>\n: breaks", "b <&\"|*>\n: is bad", "c: no score"}, {}, {}};
   const std::string text = gateJunit(comparison);
-  EXPECT_TRUE(
-      has(text, "<testsuite name=\"roomgraph\" tests=\"3\" failures=\"2\" skipped=\"0\" errors"))
+  EXPECT_TRUE(has(
+      text, "<testsuite name=\"roomgraph\" tests=\"3\" failures=\"2\" errors=\"0\" skipped=\"0\""))
       << text;
   EXPECT_TRUE(has(text, "name=\"a\"/>\n")) << text;
   EXPECT_TRUE(
@@ -48,11 +48,11 @@ TEST(GateJunit, whatCouldNotBeReadFailsAndAnotherSiteIsSkipped) {
   comparison.leftOut.push_back({"d", "d.gridmap", "is of another site", true});
   comparison.gate = GateVerdict{{}, {}, {"no break"}};
   const std::string text = gateJunit(comparison);
-  EXPECT_TRUE(has(text, "tests=\"4\" failures=\"1\" skipped=\"1\"")) << text;
+  EXPECT_TRUE(has(text, "tests=\"4\" failures=\"1\" errors=\"0\" skipped=\"1\"")) << text;
   EXPECT_TRUE(has(text, "name=\"c\">\n   <failure message=\"ends too early\"/>")) << text;
   EXPECT_TRUE(has(text, "name=\"d\">\n   <skipped message=\"is of another site\"/>")) << text;
   comparison.gate = GateVerdict{{}, {"a"}, {"no break"}};
-  EXPECT_TRUE(has(gateJunit(comparison), "tests=\"2\" failures=\"1\" skipped=\"0\""));
+  EXPECT_TRUE(has(gateJunit(comparison), "tests=\"2\" failures=\"1\" errors=\"0\" skipped=\"0\""));
 }
 
 TEST(GateJunit, whatIsSaidOfNoRunIsATestOfItsOwn) {
