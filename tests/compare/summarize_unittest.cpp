@@ -46,7 +46,7 @@ struct Found {
   Found(const Found&) = delete;
 
   Comparison comparison() const {
-    return summarize(runs, related, {site, related, consensus, scores, breaks, measures, rooms});
+    return summarize(runs, related, {site, related, consensus, scores, breaks, measures, rooms, 0});
   }
   Names order() const {
     Names names;
