@@ -117,7 +117,7 @@ void declareFormats(std::string& formats, CLI::App& app) {
 void declareGate(GateArguments& arguments, CLI::App& app) {
   const std::string nearlyAll = std::to_string(std::lround(100 * kNearlyAll));
   addOption(app, "--fail-below SCORE", arguments.limits.minScore,
-            "Exit with 3 if a run has a score below this (0 to 100), or no score.")
+            "Exit with 3 if a run has a score below this (0 to 100), or none that can be trusted.")
       ->check(isWithin(0, 100));
   addOption(app, "--fail-above M", arguments.limits.maxError,
             "Exit with 3 if a run has a map error above this [m], or none that can be trusted.")
