@@ -38,7 +38,7 @@ cmp first/comparison.runs.csv again/comparison.runs.csv
 # The gate fails, and its verdict is kept.
 expect 3 "$roomgraph" report again/comparison.json --fail-below 100
 grep -q '"gate": {"passed":false' again/comparison.json || fail "the verdict is not saved"
-grep -qE 'office_run2: its score of [0-9.]+ is [0-9.]+ below 100' err || fail "no line on stderr"
+grep -q 'office_run2: its score cannot be told' err || fail "no line on stderr"
 
 echo '{"format": "roomgraph/graph"}' > other.json
 expect 1 "$roomgraph" report other.json

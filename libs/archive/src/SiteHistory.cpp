@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 
 bool isMeant(const std::string& name, const HistoryRun& run) {
   if (name.empty()) return false;
-  return fs::absolute(name).lexically_normal() == run.file || name == fileName(run.file) ||
+  return name == run.file || name == fileName(run.file) ||
+         fs::absolute(name).lexically_normal() == run.file ||
          (name.size() >= 8 && run.sha256.compare(0, name.size(), name) == 0);
 }
 
