@@ -31,11 +31,12 @@ std::vector<TestCase> testCases(const Comparison& comparison) {
   std::vector<TestCase> runs;
   for (const ComparedRun& run : comparison.runs)
     if (run.name != comparison.reference && isJudged(run.name)) runs.push_back({run.name, {}});
-  for (const LeftOutRun& run : comparison.leftOut)
-    if (!run.isOtherSite)
-      runs.push_back({run.name, {run.reason}});
-    else if (isJudged(run.name))
-      runs.push_back({run.name, {}, run.reason});
+  for (const LeftOutRun& run : comparison.leftOut) {
+    if (run.isOtherSite && !isJudged(run.name)) continue;
+    TestCase& left = runs.emplace_back();
+    left.name = run.name;
+    (run.isOtherSite ? left.skipped : left.complaints.emplace_back()) = run.reason;
+  }
   TestCase rest{"gate", {}};
   for (const std::string& line : gate.complaints) {
     TestCase* owner = &rest;
