@@ -88,8 +88,7 @@ std::optional<std::string> jsonText(const std::string& file) {
 
 std::string infoText(const std::string& file, const ExtractOptions& options) {
   const std::string start = firstBytes(file);
-  const auto first = start.find_first_not_of(" \t\r\n");
-  if (first != std::string::npos && start[first] == '{')
+  if (firstLetter(start) == '{')
     if (auto text = jsonText(file)) return *std::move(text);
   if (start.find("CRoomGraph") != std::string::npos) return loadRoomGraph(file).asString();
   if (start.find("CMapComparison") != std::string::npos) return loadMapComparison(file).asString();

@@ -38,11 +38,11 @@ std::string textOf(const std::string& file) {
 /** An ini file, or the options that an earlier graph or comparison was made with. */
 void readConfig(const std::string& file, FieldTable& table) {
   const std::string text = textOf(file);
-  const auto first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos)
+  const char first = firstLetter(text);
+  if (!first)
     throw UsageError("--config " + file +
                      ": is empty: see 'roomgraph config', or leave the option out");
-  const bool isJson = text[first] == '{';
+  const bool isJson = first == '{';
   constexpr std::size_t kLargestIni = 1'000'000;
   if (!isJson && text.size() > kLargestIni)
     throw UsageError("--config " + file + ": is too long for an ini file: see 'roomgraph " +

@@ -7,6 +7,7 @@
 #include "option_arguments.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/checked_file.h"
+#include "roomgraph/base/read_document.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/graph_files/GraphFile.h"
 #include "roomgraph/graph_files/read_graph_json.h"
@@ -28,7 +29,7 @@ struct AskedMap {
 
 /** The graph in an X.json of 'roomgraph extract', or else that of a map, extracted now. */
 AskedMap readAskedMap(const std::string& file, const ExtractOptions& options) {
-  if (CheckedFile(file).head().text().rfind('{', 0) == 0) return {file, readGraphJson(file), {}};
+  if (firstLetter(CheckedFile(file).head().text()) == '{') return {file, readGraphJson(file), {}};
   GreyMap map = loadGrid(file, options.loadGrid);
   printWarnings(file, map.notes);
   Stages stages = extractGraph(std::move(map), options);

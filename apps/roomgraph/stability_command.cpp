@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <mutex>
 
@@ -53,7 +52,7 @@ void declareExperiment(StabilityOptions& options, CLI::App& app) {
             "Number of noisy maps for each distance and percentage.")
       ->capture_default_str();
   addOption(app, "--seed S", options.seed, "Seed of the noise; the same seed gives the same files.")
-      ->check(isWithin(0, std::numeric_limits<std::uint32_t>::max()))
+      ->check(isWithin(0, 1e19))
       ->capture_default_str();
   addOption(app, "--match-within M", options.matchWithin,
             "How far apart a vertex and its partner may lie in the one-to-one matching [m].")

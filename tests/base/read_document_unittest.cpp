@@ -44,6 +44,16 @@ TEST(JsonFault, nothingIsWrongWithAWholeObjectOfTheFormat) {
   EXPECT_EQ(fault(R"({"note": "[[{{\"[[", "other": [[[1]]], "format":"roomgraph/graph"})"), "");
 }
 
+TEST(FirstLetter, standsBehindBlanksAndAByteOrderMark) {
+  EXPECT_EQ(firstLetter(" \r\n\t{}"), '{');
+  EXPECT_EQ(firstLetter("\xef\xbb\xbf <a/>"), '<');
+  EXPECT_EQ(firstLetter(" \n"), '\0');
+}
+
+TEST(JsonFault, aByteOrderMarkIsNoFault) {
+  EXPECT_EQ(fault("\xef\xbb\xbf{\"format\": \"roomgraph/graph\"}"), "");
+}
+
 TEST(JsonFault, partsAndOtherThingsAreNamed) {
   EXPECT_EQ(fault(""), "is empty");
   EXPECT_EQ(fault(" \n"), "is empty");

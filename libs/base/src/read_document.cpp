@@ -7,6 +7,8 @@
 namespace roomgraph {
 namespace {
 
+const char* const kBlank = " \t\r\n\xef\xbb\xbf";  // or a byte order mark
+
 /** The format of ours that the text names first; empty for none. */
 std::string ourFormat(const std::string& text) {
   const auto start = text.find("\"roomgraph/");
@@ -33,6 +35,11 @@ int nesting(const std::string& text) {
 
 }  // namespace
 
+char firstLetter(const std::string& text) {
+  const auto first = text.find_first_not_of(kBlank);
+  return first == std::string::npos ? '\0' : text[first];
+}
+
 nlohmann::ordered_json parseDocument(const std::string& text, const std::string& name,
                                      const std::string& format, const std::string& remedy) {
   const std::string fault = jsonFault(text, format), other = ourFormat(text);
@@ -51,10 +58,9 @@ void refuseDocument(const std::string& name, const Broken& broken, const std::st
 }
 
 std::string jsonFault(const std::string& text, const std::string& format) {
-  const char* const blank = " \t\r\n\xef\xbb\xbf";  // or a byte order mark
-  const auto first = text.find_first_not_of(blank), last = text.find_last_not_of(blank);
-  if (first == std::string::npos) return "is empty";
-  if (text[first] != '{' || text[last] != '}') return "is not JSON, or only a part of it";
+  const auto last = text.find_last_not_of(kBlank);
+  if (last == std::string::npos) return "is empty";
+  if (firstLetter(text) != '{' || text[last] != '}') return "is not JSON, or only a part of it";
   if (!format.empty() && text.find('"' + format + '"') == std::string::npos)
     return "is not of format " + format;
   if (nesting(text) > 20) return "is nested too deeply";

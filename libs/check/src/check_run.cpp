@@ -6,7 +6,6 @@
 #include "beams_through_walls.h"
 #include "find_doubled.h"
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/base/utf8_text.h"
 #include "roomgraph/consensus/StepWitness.h"
 #include "roomgraph/consensus/mend_steps.h"
 #include "self_consensus.h"
@@ -164,7 +163,7 @@ std::vector<std::string> complaintsOf(const RunCheck& check, const CheckGateOpti
 
 RunCheck checkRun(const Run& run) {
   RunCheck check;
-  check.name = run.name, check.file = utf8Text(run.file), check.sha256 = run.sha256;
+  check.name = run.name, check.file = run.file, check.sha256 = run.sha256;
   if (run.scans.empty()) {
     check.sentence = sentenceOf(run.map), check.evidence = mapEvidence(run);
     return check;

@@ -255,10 +255,7 @@ MarkedFile sitePlaces(const std::string& text, const std::string& file) {
                                  }});
 }
 
-bool looksLikeGeojson(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
-  return first != std::string::npos && text[first] == '{';
-}
+bool looksLikeGeojson(const std::string& text) { return firstLetter(text) == '{'; }
 
 MarkedFile geojsonPlaces(const std::string& text, const std::string& file) {
   MarkedFile marked = markedJson(

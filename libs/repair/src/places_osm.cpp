@@ -10,6 +10,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/file_name.h"
+#include "roomgraph/base/read_document.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/xml_text.h"
 #include "roomgraph/graph_files/OsmOrigin.h"
@@ -283,10 +284,7 @@ class OsmFile {
 
 }  // namespace
 
-bool looksLikeXml(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
-  return first != std::string::npos && text[first] == '<';
-}
+bool looksLikeXml(const std::string& text) { return firstLetter(text) == '<'; }
 
 MarkedFile osmPlaces(const std::string& text, const std::string& file) {
   const auto osm = std::make_shared<const OsmFile>(text, file);

@@ -7,7 +7,6 @@
 #include "roomgraph/base/mapped.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/base/utf8_text.h"
 #include "roomgraph/report/json_parts.h"
 
 namespace roomgraph {
@@ -38,7 +37,7 @@ Json runJson(const ComparedRun& run, const Comparison& comparison) {
     return run.score ? numberOrNull((*run.score).*member) : Json(nullptr);
   };
   Json json = {{"name", run.name},
-               {"file", utf8Text(fileName(run.file))},
+               {"file", fileName(run.file)},
                {"sha256", run.sha256},
                {"score", figure(&RunScore::score)},
                {"score_low", figure(&RunScore::low)},
@@ -64,7 +63,7 @@ Json runJson(const ComparedRun& run, const Comparison& comparison) {
                {"scale_estimated", run.isScaleEstimated},
                {"measures", measuresJson(run.measures)},
                {"path", mapped(run.path, pathPoseJson)}};
-  if (!run.relativePath.empty()) json["relative_path"] = utf8Text(run.relativePath);
+  if (!run.relativePath.empty()) json["relative_path"] = run.relativePath;
   return json;
 }
 
@@ -174,7 +173,7 @@ std::string comparisonJson(const Comparison& comparison) {
   document.addList("pairs", comparison.pairs, pairJson);
   document.addList("left_out", comparison.leftOut, [](const LeftOutRun& run) {
     return Json{{"name", run.name},
-                {"file", utf8Text(fileName(run.file))},
+                {"file", fileName(run.file)},
                 {"reason", run.reason},
                 {"other_site", run.isOtherSite}};
   });

@@ -5,6 +5,10 @@
 
 namespace roomgraph {
 
+/** The first letter of a text behind blanks and a byte order mark, which tells JSON and XML from
+ *  what is neither; 0 where there is none. */
+char firstLetter(const std::string& text);
+
 /** The text of a file as JSON. @throws DataError, see readDocument. */
 nlohmann::ordered_json parseDocument(const std::string& text, const std::string& name,
                                      const std::string& format, const std::string& remedy);

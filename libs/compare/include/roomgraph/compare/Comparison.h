@@ -134,11 +134,11 @@ struct Comparison {
   /** Why the error of a run cannot be told: that, or "it has drawn ..."; or empty. O(breaks). */
   [[nodiscard]] std::string faultOf(const ComparedRun& run) const;
 
-  /** The one word on a run that the verdict, tables, pages and other programs agree on: *cannot
-   *  tell* without a score that is meaningful, *doubtful* where its place is, or where it has drawn
-   *  walls that no other has (ComparedRun::addedWalls), *likely* where it or the others show less
-   *  than kNearlyAll of each other, or do not bear it out, where it is smeared, its scale disputed,
-   *  all runs of one drive, or its interval ends above twice its error and 0.1 m; else *sure*. */
+  /** The one word on a run that verdict, tables, pages and other programs agree on, in O(pairs):
+   *  *cannot tell* without a meaningful score, *doubtful* where its place is or it has walls that
+   *  no other has (addedWalls), *likely* where it shows less than kNearlyAll of the site or the
+   *  others of its walls, or do not bear it out, where it is smeared, its scale disputed, all runs
+   *  of one drive, or its interval ends above twice its error and 0.1 m; else *sure*. */
   [[nodiscard]] Certainty certaintyOf(const ComparedRun& run) const;
 
   /** The names of the runs of each map that is there more than once, ascending. O(pairs). */
