@@ -72,7 +72,7 @@ TEST(ConsensusDocument, saysHowFarLinksGiveWay) {
 TEST(ConsensusDocument, saysHowWideTheIntervalIs) {
   expectSaid("ln *f* = 1.28 · (%g + %g / *w*² + %g · (1 − *v*))", kFactor, kFactorPerRun,
              kFactorUnseen);
-  expectSaid("*p* = %g m + %g m / *w*", kMetres, kMetresPerRun);
+  expectSaid("*p* = %g %% · *r* + %g m / *w*", 100 * kUsualStretch / 2, kMetresPerRun);
   expectSaid("costs at most %g times as much as the best", kAboutAsGood);
 }
 

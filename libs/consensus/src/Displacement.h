@@ -35,11 +35,12 @@ class Displacement {
 
   /** Root mean square of what the best motion leaves over [m]. */
   double rest() const {
-    if (weight_ <= 0) return 0;
-    const double squares = fromSquares_ - squaredNorm(from_) / weight_ + toSquares_ -
-                           squaredNorm(to_) / weight_ - 2 * std::hypot(cosine(), sine());
-    return std::sqrt(std::max(0.0, squares / weight_));
+    return root(spread(fromSquares_, from_) + spread(toSquares_, to_) -
+                2 * std::hypot(cosine(), sine()));
   }
+
+  /** Root mean square distance of the places in the first frame from their middle [m]. */
+  double reach() const { return root(spread(fromSquares_, from_)); }
 
  private:
   struct Moved {
@@ -49,6 +50,12 @@ class Displacement {
           sum(turned + points.count * pose.shift()) {}
   };
 
+  double spread(double squares, Point sum) const {
+    return weight_ > 0 ? squares - squaredNorm(sum) / weight_ : 0;
+  }
+  double root(double squares) const {
+    return weight_ > 0 ? std::sqrt(std::max(0.0, squares / weight_)) : 0;
+  }
   double cosine() const { return cosine_ - dot(from_, to_) / weight_; }
   double sine() const { return sine_ - cross(from_, to_) / weight_; }
 

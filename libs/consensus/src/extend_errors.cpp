@@ -23,19 +23,6 @@ struct DrawnScale {
   double scale = 1, reach = 0;
 };
 
-double reachOf(const PoseGraph& graph, RunId run) {
-  double count = 0, squares = 0;
-  Point sum;
-  for (const NodeId id : graph.runs[run].nodes) {
-    const PoseNode& node = graph.nodes[id];
-    const Point place = node.pose.shift();
-    count += node.points.count, sum = sum + node.points.count * place;
-    squares += node.points.count * squaredNorm(place);
-  }
-  if (count <= 0) return 0;
-  return std::sqrt(std::max(0.0, squares / count - squaredNorm((1 / count) * sum)));
-}
-
 /** Where three scales or more, ascending, fall into two sets: the place of the first of the larger
  *  ones. */
 std::optional<std::size_t> splitOf(const std::vector<DrawnScale>& scales) {
@@ -154,7 +141,7 @@ void tellScales(Consensus& consensus) {
     const MapError& error = consensus.errors[run];
     const double scale = 1 / consensus.graph.runs[run].stretch;
     if (consensus.graph.showsStretch(run) && error.seen > 0 && error.confirmed >= kMajority)
-      scales.push_back({run, scale, reachOf(consensus.graph, run)});
+      scales.push_back({run, scale, error.reach});
   }
   if (!consensus.graph.reference && scales.size() <= kFewestOthers) return;
   for (const DrawnScale& one : scales) consensus.errors[one.run].scale = one.scale;

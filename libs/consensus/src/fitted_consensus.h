@@ -33,7 +33,7 @@ constexpr double kMatchWeight = 0.25;
 // how many nodes on either side, and how many in the turn itself.
 constexpr double kAxesTurn = 0.03, kAxesJump = 0.044;
 constexpr std::size_t kBesideTurn = 5, kAcrossTurn = 2;
-// The scales of robots usually differ by less.
+// The scales of robots usually differ by less; half of it is in the interval of each map error.
 constexpr double kUsualStretch = 0.005;
 // Of the kernels, in standard deviations.
 constexpr double kLinkWidth = 3, kMatchWidth = 2, kAxesWidth = 6;
@@ -54,7 +54,7 @@ constexpr double kCountedLinks = 0.9;  // share of the links that count, those t
 
 // Map error: the interval is a factor, as a standard deviation of its log, and some metres.
 constexpr double kFactor = 0.05, kFactorPerRun = 0.5, kFactorUnseen = 0.3;
-constexpr double kMetres = 0.01, kMetresPerRun = 0.06;
+constexpr double kMetresPerRun = 0.03;
 constexpr long kLeastLostOnEnd = 3;     // one or two may be lost to people or glass, or at a break
 constexpr double kUsualJitter = 0.03;   // of scans of a sound run, by what their walls scatter [m]
 constexpr double kJitterFactor = 1.25;  // to either side, of what is more than that

@@ -52,7 +52,7 @@ double witnessesOf(const PoseGraph& graph, RunId run, const ById<NodeId, std::se
   return witnesses;
 }
 
-/** e / f - p to e * f + p, see docs/scoring.md, "Map error". */
+/** e / f - p to e * f + p, see docs/method.md, "Map errors". */
 void addInterval(MapError& error, double witnesses) {
   const double others = std::max(1.0, witnesses);
   // Round numbers, so that 75 to 90 % of the true errors lie in it on the sites of
@@ -60,7 +60,8 @@ void addInterval(MapError& error, double witnesses) {
   const double factor =
       kEightyPercent * (fitted::kFactor + fitted::kFactorPerRun / others / others +
                         fitted::kFactorUnseen * (1 - error.seen));
-  const double place = fitted::kMetres + fitted::kMetresPerRun / others;
+  // All runs may share a scale that is off by as much as robots usually differ.
+  const double place = fitted::kUsualStretch / 2 * error.reach + fitted::kMetresPerRun / others;
   error.low = std::max(0.0, error.error / std::exp(factor) - place);
   error.high = error.error * std::exp(factor) + place;
 }
@@ -78,7 +79,7 @@ MapError errorOf(const PoseGraph& graph, RunId run, const NodePoses& poses,
     seen += isSeen ? node.points.count : 0;
     error.isSeen.push_back(isSeen);
   }
-  error.error = all.rest(), error.pose = all.motion();
+  error.error = all.rest(), error.pose = all.motion(), error.reach = all.reach();
   error.seen = all.weight() > 0 ? seen / all.weight() : 0;
   for (const NodeId id : nodes) {
     const PoseNode& node = graph.nodes[id];

@@ -32,6 +32,7 @@ struct MapError {
   std::vector<bool> isConfirmed;  ///< of each node; empty where nothing was asked
   double givenUp = 0;  ///< share of what it and a reference found of each other that is given up
   double jitter = 0;   ///< how far its key frames lie off each on its own, part of `error` [m]
+  double reach = 0;    ///< how far what it has drawn lies from its middle, root mean square [m]
   double scale = 1;    ///< how long it has drawn what the consensus has 1 m long, if that shows
   ScaleSet scaleSet = ScaleSet::one;
 };
