@@ -68,6 +68,19 @@ TEST(MapErrors, thoseOfTheNodesAddUp) {
   EXPECT_NEAR(error.error, std::sqrt(squares / points), 1e-9);
 }
 
+TEST(MapErrors, allRunsMayShareAScaleThatIsOffByMoreTheFartherTheyReach) {
+  const Way truth = roundTheBlock();
+  const auto scaled = [&](double by) {
+    Way way = truth;
+    for (Transform2D& pose : way) pose.x *= by, pose.y *= by;
+    return way;
+  };
+  const MapError near = errorOf(truth, truth), far = errorOf(scaled(100), scaled(100));
+  EXPECT_NEAR(near.reach, test::displacement(scaled(2), truth), 0.1);  // what they draw stays
+  EXPECT_GT(near.high, 0.002 * near.reach);
+  EXPECT_NEAR(far.high - near.high, 0.0025 * (far.reach - near.reach), 1e-6);
+}
+
 TEST(MapErrors, theFrameOfThePosesChangesNothing) {
   const Way truth = roundTheBlock(), torn = test::torn(truth, 20, 1, {2, 0});
   const MapError one = errorOf(torn, truth);
