@@ -66,6 +66,33 @@ TEST(Comparison, certaintyNamesTheWorstDoubt) {
   EXPECT_EQ(word(), "cannot tell");
 }
 
+TEST(Comparison, aPlaceIsSureWhereTheOthersBearItOut) {
+  Comparison comparison = ofFour();
+  comparison.pairs = {pairOf("a", "b", 0.5)};
+  ComparedRun& a = comparison.runs[0];
+  EXPECT_TRUE(comparison.isPlaceDoubtful("a")) << "it has no scans";
+  a.path.emplace_back();
+  EXPECT_TRUE(comparison.isPlaceDoubtful("a")) << "of two runs either may lie wrong";
+  a.score->others = 2;
+  EXPECT_FALSE(comparison.isPlaceDoubtful("a"));
+  EXPECT_EQ(comparison.certaintyOf(a), Certainty::sure);
+  a.score->share = 0.49;
+  EXPECT_TRUE(comparison.isPlaceDoubtful("a")) << "most of it was not found";
+  a.score->share = 0.9, a.score->contradicted = 0.01;
+  EXPECT_TRUE(comparison.isPlaceDoubtful("a"));
+  a.score->contradicted = 0, a.score->errorHigh = 4;
+  EXPECT_TRUE(comparison.isPlaceDoubtful("a")) << "another place may be right";
+}
+
+TEST(Comparison, aLargeErrorExplainsWallsInFreeSpace) {
+  ComparedRun run = runOf("a", 0.2);
+  run.measures = {{"straight_walls_added", 0.1, "1", 5000, {}, {}, true, Point{1, 2}}};
+  run.path.emplace_back(), run.score->others = 2;
+  EXPECT_EQ(Comparison{}.certaintyOf(run), Certainty::doubtful);
+  run.score->mapError = 0.4, run.score->errorHigh = 0.6;
+  EXPECT_EQ(Comparison{}.certaintyOf(run), Certainty::likely);
+}
+
 TEST(Comparison, slightBreaksAreNotCounted) {
   Comparison comparison = ofFour();
   comparison.breaks = {{"a", {}, kClearRotation, 0, {}, {}},

@@ -7,7 +7,9 @@
 
 #include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/base/UnionFind.h"
+#include "roomgraph/base/majority.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/relate/sight_walls.h"
 
 namespace roomgraph {
 namespace {
@@ -57,6 +59,11 @@ const Measure* ComparedRun::addedWalls() const {
   return nullptr;
 }
 
+bool ComparedRun::isPlaceBorneOut() const {
+  return score && !path.empty() && score->others >= kFewestOthers && score->share >= kMajority &&
+         unconfirmedFault().empty() && !score->isWide();
+}
+
 bool Comparison::isScaleUsual() const {
   return !runs.empty() && std::all_of(runs.begin(), runs.end(),
                                       [](const ComparedRun& run) { return run.isScaleEstimated; });
@@ -93,6 +100,10 @@ std::string Comparison::faultOf(const ComparedRun& run) const {
 }
 
 bool Comparison::isPlaceDoubtful(const std::string& run) const {
+  if (std::any_of(runs.begin(), runs.end(), [&](const ComparedRun& other) {
+        return other.name == run && other.isPlaceBorneOut();
+      }))
+    return false;
   const auto isOfRun = [&](const ComparedPair& pair) {
     return pair.isSameSite && (pair.a == run || pair.b == run);
   };
@@ -117,12 +128,13 @@ std::vector<std::vector<std::string>> Comparison::edits() const {
 
 Certainty Comparison::certaintyOf(const ComparedRun& run) const {
   if (!run.score || !run.score->isMeaningful) return Certainty::cannotTell;
-  if (isPlaceDoubtful(run.name) || run.addedWalls()) return Certainty::doubtful;
   const RunScore& score = *run.score;
-  const bool isWide = score.errorHigh > 2 * score.mapError + 0.1;
+  // Walls that lie so far off stand where others have seen free space.
+  const bool areExplained = run.isPlaceBorneOut() && score.mapError >= kSameWhereBent;
+  if (isPlaceDoubtful(run.name) || (run.addedWalls() && !areExplained)) return Certainty::doubtful;
   const bool isOdd =
       score.jitter >= kSmeared || score.isScaleDisputed || !run.isBorneOut() || isOneDrive;
-  return run.partialCoverage() || isWide || isOdd || score.share < kNearlyAll ? Certainty::likely
+  return run.partialCoverage() || score.isWide() || isOdd || score.share < kNearlyAll ? Certainty::likely
                                                                               : Certainty::sure;
 }
 

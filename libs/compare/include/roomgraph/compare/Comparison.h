@@ -55,6 +55,10 @@ struct ComparedRun {
   [[nodiscard]] const Measure* addedWalls() const;
   /** See unconfirmedFault; empty without a score. */
   [[nodiscard]] std::string unconfirmedFault() const;
+  /** Whether two others or more bear out where its scans lie: at least half of its walls were
+   *  found in them, they contradict nothing, and its interval is not wide (RunScore::isWide). False
+   *  for a run without scans, of which only its alignments tell that. */
+  [[nodiscard]] bool isPlaceBorneOut() const;
   /** Whether its score is borne out, and no place of its map is other than the others show it. */
   [[nodiscard]] bool isBorneOut() const {
     return score && unconfirmedFault().empty() && !addedWalls();
@@ -117,8 +121,8 @@ struct Comparison {
   std::vector<std::string> files;   ///< all that was written of it, without their folder
 
   /** Whether a run may lie in the wrong place, so that its breaks and its error may be those of
-   *  that place: no chain of pairs of kSureConfidence joins it to most of the others. False for a
-   *  run without pairs. O(pairs). */
+   *  that place: no chain of pairs of kSureConfidence joins it to most of the others, and they do
+   *  not bear its place out either. False for a run without pairs. O(pairs). */
   [[nodiscard]] bool isPlaceDoubtful(const std::string& run) const;
 
   /** Whether no map told a scale, so that metres are those of a scale that is usual in buildings,
@@ -136,7 +140,7 @@ struct Comparison {
 
   /** The one word on a run that verdict, tables, pages and other programs agree on, in O(pairs):
    *  *cannot tell* without a meaningful score, *doubtful* where its place is or it has walls that
-   *  no other has (addedWalls), *likely* where it shows less than kNearlyAll of the site or the
+   *  no other has (addedWalls) and a map error of kSameWhereBent would not explain, *likely* where it shows less than kNearlyAll of the site or the
    *  others of its walls, or do not bear it out, where it is smeared, its scale disputed, all runs
    *  of one drive, or its interval ends above twice its error and 0.1 m; else *sure*. */
   [[nodiscard]] Certainty certaintyOf(const ComparedRun& run) const;

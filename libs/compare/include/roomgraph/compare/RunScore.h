@@ -34,6 +34,8 @@ struct RunScore {
   /** The runs fall into two sets of other scales, and which is right does not show. */
   bool isScaleDisputed = false;
   bool isMeaningful = false;  ///< see scoreRuns
+  /** Whether its interval reaches beyond twice its error and 0.1 m. */
+  [[nodiscard]] bool isWide() const { return errorHigh > 2 * mapError + 0.1; }
   /** Whether it and the reference fit each other as wholes; true where there is none. */
   [[nodiscard]] bool fitsReference() const { return givenUp <= kMostGivenUp; }
 };
