@@ -1,4 +1,4 @@
-#include "ScanPair.h"
+#include "roomgraph/check/ScanPair.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "beams_through_walls.h"
+#include "roomgraph/check/beams_through_walls.h"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 #include "roomgraph/report/comparison_csv.h"
 #include "roomgraph/report/gate_report.h"
 #include "sample_comparison.h"
+#include "schemas.h"
 
 namespace roomgraph {
 namespace {
@@ -49,6 +50,16 @@ TEST(ParseComparisonJson, givesBackAllThatWasWritten) {
     EXPECT_EQ(comparisonRunsCsv(again), comparisonRunsCsv(comparison));
     EXPECT_EQ(comparisonRoomsCsv(again), comparisonRoomsCsv(comparison));
   }
+}
+
+TEST(ParseComparisonJson, whatARunHasWeldedIsKept) {
+  Comparison comparison = sample();
+  comparison.runs[0].score->welded = {8, 201};
+  const std::string json = comparisonJson(comparison);
+  EXPECT_EQ(test::schemaComplaint("comparison", json), "");
+  const Comparison again = parseComparisonJson(json, "c.json");
+  EXPECT_EQ(again.runs[0].score->welded, comparison.runs[0].score->welded);
+  EXPECT_FALSE(again.runs[2].score->welded);
 }
 
 TEST(ParseComparisonJson, whereAMapLayIsKeptIfItIsTold) {

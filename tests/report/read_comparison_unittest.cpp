@@ -23,6 +23,7 @@ const Json& document() {
     comparison.gate = GateVerdict{{"west: has no score"}, {"west"}, {"a score of 50 at least"}};
     comparison.core = {"morning"};
     comparison.reference = "morning";
+    comparison.runs[0].score->welded = {8, 201};
     return Json::parse(comparisonJson(comparison));
   }();
   return the;
@@ -50,6 +51,13 @@ std::vector<Pointer> places() {
   std::vector<Pointer> all;
   collect(document(), Pointer(""), all);
   return all;
+}
+
+TEST(ReadComparison, whatIsWeldedAreTwoKeyFrames) {
+  Json json = document();
+  json["runs"][0]["welded"] = {8};
+  EXPECT_EQ(complaintOf(json),
+            "c.json: runs[0].welded is not two key frames; write it anew with 'roomgraph compare'");
 }
 
 /** One line that names the file. */

@@ -1,4 +1,4 @@
-#include "ScanPair.h"
+#include "roomgraph/check/ScanPair.h"
 
 #include "Passes.h"
 #include "roomgraph/base/UnionFind.h"

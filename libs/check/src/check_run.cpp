@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "beams_through_walls.h"
 #include "find_doubled.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/check/beams_through_walls.h"
 #include "roomgraph/consensus/StepWitness.h"
 #include "roomgraph/consensus/mend_steps.h"
 #include "self_consensus.h"

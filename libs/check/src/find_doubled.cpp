@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "ScanPair.h"
 #include "roomgraph/align/LocalScan.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/check/ScanPair.h"
 
 namespace roomgraph {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "beams_through_walls.h"
 #include "roomgraph/check/RunCheck.h"
+#include "roomgraph/check/beams_through_walls.h"
 #include "roomgraph/consensus/mend_steps.h"
 #include "roomgraph/relate/Run.h"
 #include "self_consensus.h"

@@ -46,6 +46,10 @@ std::optional<double> ComparedRun::partialCoverage() const {
 
 std::string ComparedRun::unconfirmedFault() const {
   if (!score) return "";
+  if (score->welded)
+    return formatted(
+        "has drawn key frames %zu and %zu at one place, though they see through each other's walls",
+        score->welded->first, score->welded->second);
   return roomgraph::unconfirmedFault(score->confirmed, score->contradicted,
                                      trustedValueOf(measures, "coverage").value_or(1));
 }
@@ -134,8 +138,9 @@ Certainty Comparison::certaintyOf(const ComparedRun& run) const {
   if (isPlaceDoubtful(run.name) || (run.addedWalls() && !areExplained)) return Certainty::doubtful;
   const bool isOdd =
       score.jitter >= kSmeared || score.isScaleDisputed || !run.isBorneOut() || isOneDrive;
-  return run.partialCoverage() || score.isWide() || isOdd || score.share < kNearlyAll ? Certainty::likely
-                                                                              : Certainty::sure;
+  return run.partialCoverage() || score.isWide() || isOdd || score.share < kNearlyAll
+             ? Certainty::likely
+             : Certainty::sure;
 }
 
 }  // namespace roomgraph

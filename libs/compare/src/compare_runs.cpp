@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include "ask_beams.h"
 #include "ask_reference.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/return_memory.h"
@@ -60,6 +61,7 @@ Comparison compareRuns(const std::vector<Run>& runs, const MapPairs& related,
   const std::vector<MapError> errors = siteErrors(site, pairs, drawn, maps, consensus);
   const PairBends bends = agreedBends(site, consensus, drawn);
   RunScores scores = scoreRuns(bends, maps, errors, site.reference, options);
+  askBeams(site, consensus, scores, forEach);
   const Trust trust = trustOf(scores, site.reference);
   const FindBreaksOptions breaking{options.breakRotation, options.breakShift};
   auto breaks = siteBreaks(site, pairs, consensus, trust, breaking, forEach);

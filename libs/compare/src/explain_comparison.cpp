@@ -33,6 +33,7 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
   if (score.share < kNearlyAll)
     text +=
         formatted("; only %.0f %% of its walls were found in the other maps", 100 * score.share);
+  if (score.welded) text += "; it " + run.unconfirmedFault();
   if (score.contradicted > 0)
     text += formatted("; others contradict %.0f %% of what it has drawn, and show it nowhere else",
                       std::max(1.0, 100 * score.contradicted));

@@ -63,6 +63,8 @@ Json runJson(const ComparedRun& run, const Comparison& comparison) {
                {"scale_estimated", run.isScaleEstimated},
                {"measures", measuresJson(run.measures)},
                {"path", mapped(run.path, pathPoseJson)}};
+  if (run.score && run.score->welded)
+    json["welded"] = {run.score->welded->first, run.score->welded->second};
   if (!run.relativePath.empty()) json["relative_path"] = run.relativePath;
   return json;
 }

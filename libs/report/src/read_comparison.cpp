@@ -56,6 +56,12 @@ std::vector<Measure> measures(const JsonNode& node) {
   return all;
 }
 
+std::pair<std::size_t, std::size_t> keyFrames(const JsonNode& node) {
+  const std::vector<JsonNode> both = node.list();
+  if (both.size() != 2) throw Broken{node.place, "is not two key frames"};
+  return {count(both[0]), count(both[1])};
+}
+
 std::optional<RunScore> score(const JsonNode& node) {
   if (node["score"].json.is_null()) return std::nullopt;
   RunScore score;
@@ -72,6 +78,7 @@ std::optional<RunScore> score(const JsonNode& node) {
   score.jitter = node["jitter_m"].number(), score.scale = node["scale"].number();
   score.isScaleDisputed = isTrue(node["scale_disputed"]);
   score.isMeaningful = isTrue(node["meaningful"]);
+  if (node.contains("welded")) score.welded = keyFrames(node["welded"]);
   return score;
 }
 

@@ -53,7 +53,7 @@ struct ComparedRun {
   /** That of the measures `straight_walls_added` and `walls_added` which is meaningful and above
    *  its limit; null where neither is. */
   [[nodiscard]] const Measure* addedWalls() const;
-  /** See unconfirmedFault; empty without a score. */
+  /** That it has welded two places, or see unconfirmedFault; empty without a score. */
   [[nodiscard]] std::string unconfirmedFault() const;
   /** Whether two others or more bear out where its scans lie: at least half of its walls were
    *  found in them, they contradict nothing, and its interval is not wide (RunScore::isWide). False
@@ -124,25 +124,21 @@ struct Comparison {
    *  that place: no chain of pairs of kSureConfidence joins it to most of the others, and they do
    *  not bear its place out either. False for a run without pairs. O(pairs). */
   [[nodiscard]] bool isPlaceDoubtful(const std::string& run) const;
-
   /** Whether no map told a scale, so that metres are those of a scale that is usual in buildings,
    *  and only cells are right. */
   [[nodiscard]] bool isScaleUsual() const;
-
   /** The breaks of a run that are not slight. O(breaks). */
   [[nodiscard]] std::size_t countBreaks(const std::string& run) const;
-
   /** Why nobody can be measured by the reference: it breaks itself, or fits the run only in part;
    *  empty where it is sound, and without one. O(breaks). */
   [[nodiscard]] std::string faultOfReference(const ComparedRun& run) const;
   /** Why the error of a run cannot be told: that, or "it has drawn ..."; or empty. O(breaks). */
   [[nodiscard]] std::string faultOf(const ComparedRun& run) const;
-
   /** The one word on a run that verdict, tables, pages and other programs agree on, in O(pairs):
    *  *cannot tell* without a meaningful score, *doubtful* where its place is or it has walls that
-   *  no other has (addedWalls) and a map error of kSameWhereBent would not explain, *likely* where it shows less than kNearlyAll of the site or the
-   *  others of its walls, or do not bear it out, where it is smeared, its scale disputed, all runs
-   *  of one drive, or its interval ends above twice its error and 0.1 m; else *sure*. */
+   *  no other has (addedWalls) and that no map error of kSameWhereBent explains, *likely* where it
+   *  shows less than kNearlyAll of the site or the others of its walls or do not bear it out, it is
+   *  smeared, its scale disputed, all runs of one drive or its interval wide; else *sure*. */
   [[nodiscard]] Certainty certaintyOf(const ComparedRun& run) const;
 
   /** The names of the runs of each map that is there more than once, ascending. O(pairs). */

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace roomgraph {
 
@@ -33,6 +35,9 @@ struct RunScore {
   double scale = 1;
   /** The runs fall into two sets of other scales, and which is right does not show. */
   bool isScaleDisputed = false;
+  /** Two key frames that it has drawn at one place, though they see through each other's walls, if
+   *  that makes its error worthless. */
+  std::optional<std::pair<std::size_t, std::size_t>> welded{};
   bool isMeaningful = false;  ///< see scoreRuns
   /** Whether its interval reaches beyond twice its error and 0.1 m. */
   [[nodiscard]] bool isWide() const { return errorHigh > 2 * mapError + 0.1; }

@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "ScanPair.h"
 #include "roomgraph/align/LocalScan.h"
 #include "roomgraph/check/RunCheck.h"
+#include "roomgraph/check/ScanPair.h"
 #include "roomgraph/relate/Run.h"
 
 namespace roomgraph {
