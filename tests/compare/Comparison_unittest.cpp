@@ -14,7 +14,8 @@ ComparedPair pairOf(const std::string& a, const std::string& b, double confidenc
 ComparedRun runOf(const std::string& name, double error) {
   ComparedRun run;
   run.name = name, run.score.emplace();
-  run.score->mapError = error, run.score->errorHigh = 1.5 * error;
+  run.score->mapError = error;
+  run.score->errorLow = error / 1.5, run.score->errorHigh = 1.5 * error;
   run.score->share = 0.9, run.score->isMeaningful = true;
   return run;
 }
@@ -58,7 +59,10 @@ TEST(Comparison, certaintyNamesTheWorstDoubt) {
   EXPECT_EQ(word(), "likely");
   a.score->share = 0.9, a.score->errorHigh = 0.31;
   EXPECT_EQ(word(), "likely");
-  a.score->errorHigh = 0.1, a.measures = {{"coverage", 0.4, "1", 5000, {}, {}, true}};
+  a.score->errorHigh = 4, a.score->mapError = 3, a.score->errorLow = 0.1;
+  EXPECT_EQ(word(), "likely") << "and down to 0";
+  a.score->errorHigh = 0.1, a.score->mapError = 0.1,
+  a.measures = {{"coverage", 0.4, "1", 5000, {}, {}, true}};
   EXPECT_EQ(word(), "likely");
   comparison.pairs = {pairOf("a", "b", 0.5)};
   EXPECT_EQ(word(), "doubtful");
@@ -89,7 +93,7 @@ TEST(Comparison, aLargeErrorExplainsWallsInFreeSpace) {
   run.measures = {{"straight_walls_added", 0.1, "1", 5000, {}, {}, true, Point{1, 2}}};
   run.path.emplace_back(), run.score->others = 2;
   EXPECT_EQ(Comparison{}.certaintyOf(run), Certainty::doubtful);
-  run.score->mapError = 0.4, run.score->errorHigh = 0.6;
+  run.score->mapError = 0.4, run.score->errorLow = 0.3, run.score->errorHigh = 0.6;
   EXPECT_EQ(Comparison{}.certaintyOf(run), Certainty::likely);
 }
 

@@ -39,8 +39,10 @@ struct RunScore {
    *  that makes its error worthless. */
   std::optional<std::pair<std::size_t, std::size_t>> welded{};
   bool isMeaningful = false;  ///< see scoreRuns
-  /** Whether its interval reaches beyond twice its error and 0.1 m. */
-  [[nodiscard]] bool isWide() const { return errorHigh > 2 * mapError + 0.1; }
+  /** Whether an end of its interval is off from its error by more than a factor of 2 and 0.1 m. */
+  [[nodiscard]] bool isWide() const {
+    return errorHigh > 2 * mapError + 0.1 || mapError > 2 * errorLow + 0.1;
+  }
   /** Whether it and the reference fit each other as wholes; true where there is none. */
   [[nodiscard]] bool fitsReference() const { return givenUp <= kMostGivenUp; }
 };
