@@ -131,11 +131,11 @@ TEST(Comparison, whatNobodyBearsOutCountsTwiceWhereAsMuchIsLacking) {
   EXPECT_EQ(unconfirmedFault(0.99, 0.002, 1),
             "has drawn 1 % that others contradict, and that fits nowhere else");
   ComparedRun run = runOf("a", 0.1);
-  run.score->welded = {8, 201};
+  run.welded = {8, 201};
   EXPECT_EQ(run.unconfirmedFault(),
             "has drawn key frames 8 and 201 at one place, though they see through each other's "
             "walls");
-  run.score->welded.reset();
+  run.welded.reset();
   EXPECT_TRUE(run.isBorneOut());
   run.score->confirmed = 0.75;
   EXPECT_TRUE(run.isBorneOut());

@@ -15,8 +15,8 @@ class AskBeams : public testing::Test {
     runs_.push_back(test::runOf(test::broken(test::driveForthAndBack(), 50, 0, {0.5, 1.5})));
   }
 
-  /** The score of the last run, of which this was reported, if the consensus has it at `poses`. */
-  RunScore asked(double error, const std::vector<Transform2D>& poses) {
+  /** What the last run has welded, of which this error was reported, if it lies at `poses`. */
+  WeldedKeyFrames asked(double error, const std::vector<Transform2D>& poses) {
     Site site;
     Consensus consensus;
     for (const roomgraph::Run& run : runs_) {
@@ -32,10 +32,11 @@ class AskBeams : public testing::Test {
       site.runs.push_back(&run);
     }
     RunScores scores(runs_.size(), RunScore());
-    for (auto& score : scores) score->mapError = error, score->isMeaningful = true;
-    askBeams(site, consensus, scores, oneByOne);
-    EXPECT_TRUE(scores[0]->isMeaningful);
-    return *scores.back();
+    for (auto& score : scores) score->mapError = error;
+    const auto welded = askBeams(site, consensus, scores, oneByOne);
+    EXPECT_TRUE(scores[0]);
+    EXPECT_EQ(bool(scores.back()), !welded.back());
+    return welded.back();
   }
 
   std::vector<Transform2D> drawn() const { return drawnPoses(runs_.back().scans); }
@@ -43,25 +44,22 @@ class AskBeams : public testing::Test {
   std::vector<roomgraph::Run> runs_;
 };
 
-TEST_F(AskBeams, aRunThatSeesThroughItsOwnWallsHasNoMeaningfulError) {
-  const RunScore score = asked(0.1, drawn());
-  EXPECT_FALSE(score.isMeaningful);
-  ASSERT_TRUE(score.welded);
-  EXPECT_LT(score.welded->first, 50u);
-  EXPECT_GE(score.welded->second, 50u);
+TEST_F(AskBeams, aRunThatSeesThroughItsOwnWallsHasNoScore) {
+  const WeldedKeyFrames welded = asked(0.1, drawn());
+  ASSERT_TRUE(welded);
+  EXPECT_LT(welded->first, 50u);
+  EXPECT_GE(welded->second, 50u);
 }
 
 TEST_F(AskBeams, notIfTheConsensusHasPartedWhatItLaidThere) {
-  EXPECT_TRUE(asked(0.1, drawnPoses(runs_[0].scans)).isMeaningful);
+  EXPECT_FALSE(asked(0.1, drawnPoses(runs_[0].scans)));
 }
 
-TEST_F(AskBeams, norIfItsErrorIsReportedAsLarge) { EXPECT_TRUE(asked(1, drawn()).isMeaningful); }
+TEST_F(AskBeams, norIfItsErrorIsReportedAsLarge) { EXPECT_FALSE(asked(1, drawn())); }
 
 TEST_F(AskBeams, norIfAllSeeThroughWalls) {
   runs_.front() = runs_.back();
-  const RunScore score = asked(0.1, drawn());
-  EXPECT_TRUE(score.isMeaningful);
-  EXPECT_FALSE(score.welded);
+  EXPECT_FALSE(asked(0.1, drawn()));
 }
 
 }  // namespace

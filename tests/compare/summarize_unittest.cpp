@@ -16,6 +16,7 @@ struct Found {
   RunScores scores;
   std::vector<std::vector<MapBreak>> breaks;
   SiteMeasures measures;
+  std::vector<WeldedKeyFrames> welded;
   std::vector<SiteRoom> rooms;
 
   /** Runs of these names with these errors; those behind `members` are of no site. */
@@ -40,13 +41,14 @@ struct Found {
       consensus.siteRuns.add(i);
     }
     breaks.resize(members);
-    measures.runs.resize(members);
+    measures.runs.resize(members), welded.resize(members);
     measures.pairs = PairTable<std::vector<Measure>>(members);
   }
   Found(const Found&) = delete;
 
   Comparison comparison() const {
-    return summarize(runs, related, {site, related, consensus, scores, breaks, measures, rooms, 0});
+    return summarize(runs, related,
+                     {site, related, consensus, scores, breaks, measures, rooms, 0, welded});
   }
   Names order() const {
     Names names;
@@ -165,7 +167,7 @@ TEST(Summarize, measuresOfAPairAreThoseOfItsRuns) {
   found.consensus.graph.runs = ById<RunId, GraphRun>(2);
   found.consensus.graphRuns = {RunId(0), RunId(1)};
   found.consensus.siteRuns = ById<RunId, std::size_t>(std::vector<std::size_t>{0, 1});
-  found.scores.resize(2), found.measures.runs.resize(2);
+  found.scores.resize(2), found.measures.runs.resize(2), found.welded.resize(2);
   found.measures.pairs = PairTable<std::vector<Measure>>(2);
   found.measures.pairs(0, 1) = {{"bend", 0.25, "m", 500, {}, {}, true}};
   found.related(1, 2).alignment.confidence = 0.75;

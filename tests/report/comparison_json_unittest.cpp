@@ -54,12 +54,12 @@ TEST(ParseComparisonJson, givesBackAllThatWasWritten) {
 
 TEST(ParseComparisonJson, whatARunHasWeldedIsKept) {
   Comparison comparison = sample();
-  comparison.runs[0].score->welded = {8, 201};
+  comparison.runs[1].welded = {8, 201};
   const std::string json = comparisonJson(comparison);
   EXPECT_EQ(test::schemaComplaint("comparison", json), "");
   const Comparison again = parseComparisonJson(json, "c.json");
-  EXPECT_EQ(again.runs[0].score->welded, comparison.runs[0].score->welded);
-  EXPECT_FALSE(again.runs[2].score->welded);
+  EXPECT_EQ(again.runs[1].welded, comparison.runs[1].welded);
+  EXPECT_FALSE(again.runs[2].welded);
 }
 
 TEST(ParseComparisonJson, whereAMapLayIsKeptIfItIsTold) {

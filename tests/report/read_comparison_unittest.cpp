@@ -23,7 +23,7 @@ const Json& document() {
     comparison.gate = GateVerdict{{"west: has no score"}, {"west"}, {"a score of 50 at least"}};
     comparison.core = {"morning"};
     comparison.reference = "morning";
-    comparison.runs[0].score->welded = {8, 201};
+    comparison.runs[0].welded = {8, 201};
     return Json::parse(comparisonJson(comparison));
   }();
   return the;

@@ -45,11 +45,11 @@ std::optional<double> ComparedRun::partialCoverage() const {
 }
 
 std::string ComparedRun::unconfirmedFault() const {
-  if (!score) return "";
-  if (score->welded)
+  if (welded)
     return formatted(
         "has drawn key frames %zu and %zu at one place, though they see through each other's walls",
-        score->welded->first, score->welded->second);
+        welded->first, welded->second);
+  if (!score) return "";
   return roomgraph::unconfirmedFault(score->confirmed, score->contradicted,
                                      trustedValueOf(measures, "coverage").value_or(1));
 }

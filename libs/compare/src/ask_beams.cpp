@@ -35,20 +35,22 @@ bool standsOut(std::size_t one, const std::vector<std::optional<BeamsOfRun>>& be
 
 }  // namespace
 
-void askBeams(const Site& site, const Consensus& consensus, RunScores& scores,
-              const ForEach& forEach) {
+std::vector<WeldedKeyFrames> askBeams(const Site& site, const Consensus& consensus,
+                                      RunScores& scores, const ForEach& forEach) {
   std::vector<std::optional<BeamsOfRun>> beams(site.runs.size());
   forEach(beams.size(), [&](std::size_t i) {
     if (!site.runs[i]->scans.empty() && consensus.isCounted(i))
       beams[i] = beamsOf(*site.runs[i], consensus, consensus.graphRuns[i]);
   });
+  std::vector<WeldedKeyFrames> welded(beams.size());
   for (std::size_t i = 0; i < beams.size(); ++i) {
     if (!scores[i] || scores[i]->mapError >= kBreakShift) continue;
     if (!beams[i] || beams[i]->welded.empty() || !standsOut(i, beams)) continue;
     const WeldedPlace& place = beams[i]->welded.front();
-    scores[i]->welded = {place.one.keyFrame, place.other.keyFrame};
-    scores[i]->isMeaningful = false;
+    welded[i] = {place.one.keyFrame, place.other.keyFrame};
+    scores[i].reset();
   }
+  return welded;
 }
 
 }  // namespace roomgraph

@@ -61,7 +61,7 @@ Comparison compareRuns(const std::vector<Run>& runs, const MapPairs& related,
   const std::vector<MapError> errors = siteErrors(site, pairs, drawn, maps, consensus);
   const PairBends bends = agreedBends(site, consensus, drawn);
   RunScores scores = scoreRuns(bends, maps, errors, site.reference, options);
-  askBeams(site, consensus, scores, forEach);
+  const auto welded = askBeams(site, consensus, scores, forEach);
   const Trust trust = trustOf(scores, site.reference);
   const FindBreaksOptions breaking{options.breakRotation, options.breakShift};
   auto breaks = siteBreaks(site, pairs, consensus, trust, breaking, forEach);
@@ -70,8 +70,9 @@ Comparison compareRuns(const std::vector<Run>& runs, const MapPairs& related,
   const SiteMeasures measures = measureSite(site, pairs, bends, maps, trust, breaks, forEach);
   const std::vector<SiteRoom> rooms = siteRooms(site, trust, forEach);
   returnMemory();
-  return summarize(runs, related,
-                   {site, pairs, consensus, scores, breaks, measures, rooms, faults.doubled});
+  return summarize(
+      runs, related,
+      {site, pairs, consensus, scores, breaks, measures, rooms, faults.doubled, welded});
 }
 
 Comparison compareRuns(const std::vector<Run>& runs, const CompareRunsOptions& options) {

@@ -33,7 +33,6 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
   if (score.share < kNearlyAll)
     text +=
         formatted("; only %.0f %% of its walls were found in the other maps", 100 * score.share);
-  if (score.welded) text += "; it " + run.unconfirmedFault();
   if (score.contradicted > 0)
     text += formatted("; others contradict %.0f %% of what it has drawn, and show it nowhere else",
                       std::max(1.0, 100 * score.contradicted));
@@ -124,6 +123,7 @@ std::vector<std::string> doubtsAbout(const ComparedRun& best, const Comparison& 
 
 std::string reasonOf(const ComparedRun& run, const Comparison& comparison) {
   std::string reason = run.score                          ? decisive(run, comparison)
+                       : run.welded                       ? "it " + run.unconfirmedFault()
                        : comparison.reference == run.name ? "the others are measured against it"
                        : comparison.runs.size() < 2
                            ? "no other run to compare it with"

@@ -121,9 +121,10 @@ class Judge {
 
   /** A run without a score, of which nothing is borne out, has to be told so by another figure. */
   void judgeConfirmed(const ComparedRun& run) {
-    if (!options_.failsOnUnconfirmed || !run.score) return;
+    if (!options_.failsOnUnconfirmed) return;
     const std::string fault = run.unconfirmedFault();
     if (!fault.empty()) return complain(run.name, fault);
+    if (!run.score) return;
     const double confirmed = run.score->confirmed;
     hold("confirmed", run.name, confirmed - kNearlyAll,
          shareText("is confirmed by others in", confirmed, kNearlyAll, "of what it has drawn"));

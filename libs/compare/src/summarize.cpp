@@ -24,10 +24,11 @@ std::vector<ComparedRun> runsOf(const Findings& found) {
     ComparedRun compared;
     compared.name = run.name, compared.file = run.file, compared.sha256 = run.sha256;
     compared.pose = found.site.poses[i];
-    compared.score = found.scores[i];
+    compared.score = found.scores[i], compared.welded = found.welded[i];
     compared.measures = found.measures.runs[i];
     compared.resolution = run.resolution, compared.isScaleEstimated = run.isScaleEstimated;
-    compared.path = runPath(run, found.site.poses[i], found.consensus.errorOf(i));
+    const MapError error = found.welded[i] ? MapError() : found.consensus.errorOf(i);
+    compared.path = runPath(run, found.site.poses[i], error);
     runs.push_back(std::move(compared));
   }
   return runs;

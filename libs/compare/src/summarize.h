@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "ask_beams.h"
 #include "roomgraph/compare/Comparison.h"
 #include "roomgraph/compare/run_score.h"
 #include "roomgraph/consensus/map_errors.h"
@@ -22,6 +23,7 @@ struct Findings {
   const SiteMeasures& measures;
   const std::vector<SiteRoom>& rooms;
   double referenceDoubled;  ///< see Comparison
+  const std::vector<WeldedKeyFrames>& welded;
 };
 
 /** All of it in words and by name, the runs ranked; and what is known of the runs that are not of

@@ -63,8 +63,7 @@ Json runJson(const ComparedRun& run, const Comparison& comparison) {
                {"scale_estimated", run.isScaleEstimated},
                {"measures", measuresJson(run.measures)},
                {"path", mapped(run.path, pathPoseJson)}};
-  if (run.score && run.score->welded)
-    json["welded"] = {run.score->welded->first, run.score->welded->second};
+  if (run.welded) json["welded"] = {run.welded->first, run.welded->second};
   if (!run.relativePath.empty()) json["relative_path"] = run.relativePath;
   return json;
 }
@@ -199,9 +198,10 @@ std::string comparisonText(const Comparison& comparison) {
     std::string name = printable(run.name);
     name.resize(width, ' ');
     const std::string share = seen >= 0 ? std::to_string(std::lround(100 * seen)) + " %" : "-";
-    const std::string line =
-        run.score ? scoreText(*run.score, share, nameOf(comparison.certaintyOf(run)))
-                  : formatted("  %5s %12s  %13s  %13s  %8s\n", "-", "", "-", "", share.c_str());
+    const std::string line = run.score
+                                 ? scoreText(*run.score, share, nameOf(comparison.certaintyOf(run)))
+                                 : formatted("  %5s %12s  %13s  %13s  %8s%s\n", "-", "", "-", "",
+                                             share.c_str(), run.welded ? "  cannot tell" : "");
     std::string place = run.rank ? std::to_string(run.rank) : "-";
     text +=
         std::string(4 - std::min<std::size_t>(4, place.size()), ' ') + place + "  " + name + line;
@@ -209,6 +209,7 @@ std::string comparisonText(const Comparison& comparison) {
   for (const ComparedRun& run : comparison.runs) {
     if (run.isScaleEstimated)
       text += printable(run.name) + formatted(": %.5f m per cell, estimated.\n", run.resolution);
+    if (run.welded) text += printable(run.name) + " " + run.unconfirmedFault() + ".\n";
   }
   return text;
 }

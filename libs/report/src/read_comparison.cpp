@@ -78,7 +78,6 @@ std::optional<RunScore> score(const JsonNode& node) {
   score.jitter = node["jitter_m"].number(), score.scale = node["scale"].number();
   score.isScaleDisputed = isTrue(node["scale_disputed"]);
   score.isMeaningful = isTrue(node["meaningful"]);
-  if (node.contains("welded")) score.welded = keyFrames(node["welded"]);
   return score;
 }
 
@@ -96,6 +95,7 @@ ComparedRun run(const JsonNode& node) {
   run.sha256 = node["sha256"].text();
   run.pose = pose(node["pose"]);
   run.score = score(node);
+  if (node.contains("welded")) run.welded = keyFrames(node["welded"]);
   run.rank = node["rank"].json.is_null() ? 0 : count(node["rank"]);
   run.measures = measures(node["measures"]);
   run.reason = node["reason"].text();

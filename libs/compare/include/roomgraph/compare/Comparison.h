@@ -47,13 +47,16 @@ struct ComparedRun {
   double resolution = 0;          ///< side of a cell of its map [m]
   bool isScaleEstimated = false;  ///< `resolution` was estimated from the other runs
   std::vector<PathPose> path;     ///< by key frame; empty for a run without scans
+  /** Two key frames that it has drawn at one place, though they see through each other's walls, if
+   *  that refutes its score, so that it has none. */
+  std::optional<std::pair<std::size_t, std::size_t>> welded;
 
   /** The measure `coverage`, where it is meaningful, and is less than kNearlyAll. */
   [[nodiscard]] std::optional<double> partialCoverage() const;
   /** That of the measures `straight_walls_added` and `walls_added` which is meaningful and above
    *  its limit; null where neither is. */
   [[nodiscard]] const Measure* addedWalls() const;
-  /** That it has welded two places, or see unconfirmedFault; empty without a score. */
+  /** That it has welded two places, or see unconfirmedFault; empty without either. */
   [[nodiscard]] std::string unconfirmedFault() const;
   /** Whether two others or more bear out where its scans lie: at least half of its walls were
    *  found in them, they contradict nothing, and its interval is not wide (RunScore::isWide). False

@@ -1,8 +1,6 @@
 #pragma once
 #include <cstddef>
-#include <optional>
 #include <string>
-#include <utility>
 
 namespace roomgraph {
 
@@ -35,9 +33,6 @@ struct RunScore {
   double scale = 1;
   /** The runs fall into two sets of other scales, and which is right does not show. */
   bool isScaleDisputed = false;
-  /** Two key frames that it has drawn at one place, though they see through each other's walls, if
-   *  that makes its error worthless. */
-  std::optional<std::pair<std::size_t, std::size_t>> welded{};
   bool isMeaningful = false;  ///< see scoreRuns
   /** Whether an end of its interval is off from its error by more than a factor of 2 and 0.1 m. */
   [[nodiscard]] bool isWide() const {
