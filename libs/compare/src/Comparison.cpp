@@ -9,6 +9,7 @@
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/sight_walls.h"
 
 namespace roomgraph {

@@ -47,8 +47,7 @@ struct ComparedRun {
   double resolution = 0;          ///< side of a cell of its map [m]
   bool isScaleEstimated = false;  ///< `resolution` was estimated from the other runs
   std::vector<PathPose> path;     ///< by key frame; empty for a run without scans
-  /** Two key frames that it has drawn at one place, though they see through each other's walls, if
-   *  that refutes its score, so that it has none. */
+  /** Key frames that it has drawn at one place, and that refute that: then it has no score. */
   std::optional<std::pair<std::size_t, std::size_t>> welded;
 
   /** The measure `coverage`, where it is meaningful, and is less than kNearlyAll. */
@@ -58,9 +57,8 @@ struct ComparedRun {
   [[nodiscard]] const Measure* addedWalls() const;
   /** That it has welded two places, or see unconfirmedFault; empty without either. */
   [[nodiscard]] std::string unconfirmedFault() const;
-  /** Whether two others or more bear out where its scans lie: at least half of its walls were
-   *  found in them, they contradict nothing, and its interval is not wide (RunScore::isWide). False
-   *  for a run without scans, of which only its alignments tell that. */
+  /** Whether two others or more bear out where its scans lie: half of its walls were found there,
+   *  nothing is contradicted, and its interval is not wide. False for a run without scans. */
   [[nodiscard]] bool isPlaceBorneOut() const;
   /** Whether its score is borne out, and no place of its map is other than the others show it. */
   [[nodiscard]] bool isBorneOut() const {
@@ -127,8 +125,7 @@ struct Comparison {
    *  that place: no chain of pairs of kSureConfidence joins it to most of the others, and they do
    *  not bear its place out either. False for a run without pairs. O(pairs). */
   [[nodiscard]] bool isPlaceDoubtful(const std::string& run) const;
-  /** Whether no map told a scale, so that metres are those of a scale that is usual in buildings,
-   *  and only cells are right. */
+  /** Whether no map told a scale: metres are those of a usual one, and only cells are right. */
   [[nodiscard]] bool isScaleUsual() const;
   /** The breaks of a run that are not slight. O(breaks). */
   [[nodiscard]] std::size_t countBreaks(const std::string& run) const;
