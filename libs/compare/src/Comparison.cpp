@@ -9,6 +9,7 @@
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/check/find_refuted.h"
 #include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/sight_walls.h"
 
@@ -46,10 +47,7 @@ std::optional<double> ComparedRun::partialCoverage() const {
 }
 
 std::string ComparedRun::unconfirmedFault() const {
-  if (welded)
-    return formatted(
-        "has drawn key frames %zu and %zu at one place, though they see through each other's walls",
-        welded->first, welded->second);
+  if (welded) return weldedText(*welded);
   if (!score) return "";
   return roomgraph::unconfirmedFault(score->confirmed, score->contradicted,
                                      trustedValueOf(measures, "coverage").value_or(1));

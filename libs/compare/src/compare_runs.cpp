@@ -4,11 +4,11 @@
 #include <set>
 #include <string>
 
-#include "ask_beams.h"
 #include "ask_reference.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/return_memory.h"
 #include "roomgraph/breaks/site_breaks.h"
+#include "roomgraph/check/find_refuted.h"
 #include "roomgraph/compare/run_score.h"
 #include "roomgraph/consensus/agreed_bends.h"
 #include "roomgraph/consensus/errors_by_bends.h"
@@ -61,7 +61,9 @@ Comparison compareRuns(const std::vector<Run>& runs, const MapPairs& related,
   const std::vector<MapError> errors = siteErrors(site, pairs, drawn, maps, consensus);
   const PairBends bends = agreedBends(site, consensus, drawn);
   RunScores scores = scoreRuns(bends, maps, errors, site.reference, options);
-  const auto welded = askBeams(site, consensus, scores, forEach);
+  const auto welded = findRefuted(site, consensus, forEach);
+  for (std::size_t i = 0; i < welded.size(); ++i)
+    if (welded[i]) scores[i].reset();
   const Trust trust = trustOf(scores, site.reference);
   const FindBreaksOptions breaking{options.breakRotation, options.breakShift};
   auto breaks = siteBreaks(site, pairs, consensus, trust, breaking, forEach);

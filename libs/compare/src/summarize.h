@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "ask_beams.h"
+#include "roomgraph/check/find_refuted.h"
 #include "roomgraph/compare/Comparison.h"
 #include "roomgraph/compare/run_score.h"
 #include "roomgraph/consensus/map_errors.h"

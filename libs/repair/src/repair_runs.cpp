@@ -12,6 +12,7 @@
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/breaks/MapBreak.h"
+#include "roomgraph/check/find_refuted.h"
 #include "roomgraph/consensus/pose_covariances.h"
 #include "roomgraph/repair/sound_frame.h"
 
@@ -71,8 +72,10 @@ void judge(const RunCheck& check, RepairedRun& repaired) {
 }
 
 /** Why a run is better left as it was; mended where nothing speaks for that. */
-void judge(const MapError& error, RepairedRun& repaired) {
-  if (!isTrusted(error)) {
+void judge(const MapError& error, const WeldedKeyFrames& welded, RepairedRun& repaired) {
+  if (welded) {
+    repaired.reason = "left as it was: it " + weldedText(*welded);
+  } else if (!isTrusted(error)) {
     repaired.reason =
         formatted("left as it was: others have seen only %.0f %% of it", 100 * error.seen);
   } else if (error.low <= 0) {
@@ -154,7 +157,7 @@ std::optional<double> leftOf(const SolvedSite& solved, const std::vector<Transfo
 }
 
 RepairedRun repairedRun(const SolvedSite& solved, const std::vector<Transform2D>& real,
-                        std::size_t i) {
+                        const WeldedKeyFrames& welded, std::size_t i) {
   const Run& run = *solved.site.runs[i];
   RepairedRun repaired;
   repaired.run = solved.site.members[i], repaired.siteRun = i;
@@ -165,7 +168,7 @@ RepairedRun repairedRun(const SolvedSite& solved, const std::vector<Transform2D>
     repaired.state = RepairState::reference, repaired.reason = "the reference, left as it was";
     return repaired;
   }
-  judge(solved.consensus.errorOf(i), repaired);
+  judge(solved.consensus.errorOf(i), welded, repaired);
   if (repaired.state != RepairState::mended) return repaired;
   repaired.left = leftOf(solved, real, i, repaired.frame.inverse());
   if (!repaired.left) {
@@ -203,9 +206,11 @@ bool fitsInTwoWays(const MapError& error) {
 }
 
 std::vector<RepairedRun> repairRuns(const SolvedSite& solved, const RealPoses& real) {
+  const auto refuted = findRefuted(solved.site, solved.consensus, oneByOne);
   std::vector<RepairedRun> all;
   for (std::size_t i = 0; i < solved.site.runs.size(); ++i)
-    if (!solved.site.runs[i]->scans.empty()) all.push_back(repairedRun(solved, real[i], i));
+    if (!solved.site.runs[i]->scans.empty())
+      all.push_back(repairedRun(solved, real[i], refuted[i], i));
   tellCovariances(solved.consensus, all);
   return all;
 }

@@ -1,9 +1,6 @@
-#include "ask_beams.h"
+#include "roomgraph/check/find_refuted.h"
 
-#include <algorithm>
-#include <optional>
-#include <vector>
-
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/check/beams_through_walls.h"
 
 namespace roomgraph {
@@ -35,22 +32,27 @@ bool standsOut(std::size_t one, const std::vector<std::optional<BeamsOfRun>>& be
 
 }  // namespace
 
-std::vector<WeldedKeyFrames> askBeams(const Site& site, const Consensus& consensus,
-                                      RunScores& scores, const ForEach& forEach) {
+std::vector<WeldedKeyFrames> findRefuted(const Site& site, const Consensus& consensus,
+                                         const ForEach& forEach) {
   std::vector<std::optional<BeamsOfRun>> beams(site.runs.size());
   forEach(beams.size(), [&](std::size_t i) {
     if (!site.runs[i]->scans.empty() && consensus.isCounted(i))
       beams[i] = beamsOf(*site.runs[i], consensus, consensus.graphRuns[i]);
   });
-  std::vector<WeldedKeyFrames> welded(beams.size());
+  std::vector<WeldedKeyFrames> refuted(beams.size());
   for (std::size_t i = 0; i < beams.size(); ++i) {
-    if (!scores[i] || scores[i]->mapError >= kBreakShift) continue;
-    if (!beams[i] || beams[i]->welded.empty() || !standsOut(i, beams)) continue;
+    if (i == site.reference || !beams[i] || beams[i]->welded.empty()) continue;
+    if (consensus.errorOf(i).error >= kBreakShift || !standsOut(i, beams)) continue;
     const WeldedPlace& place = beams[i]->welded.front();
-    welded[i] = {place.one.keyFrame, place.other.keyFrame};
-    scores[i].reset();
+    refuted[i] = {place.one.keyFrame, place.other.keyFrame};
   }
-  return welded;
+  return refuted;
+}
+
+std::string weldedText(const std::pair<std::size_t, std::size_t>& keyFrames) {
+  return formatted(
+      "has drawn key frames %zu and %zu at one place, though they see through each other's walls",
+      keyFrames.first, keyFrames.second);
 }
 
 }  // namespace roomgraph

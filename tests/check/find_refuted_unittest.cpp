@@ -1,4 +1,4 @@
-#include "ask_beams.h"
+#include "roomgraph/check/find_refuted.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@ namespace roomgraph {
 namespace {
 
 /** Runs of one building, the last of which has laid its way back over other rooms. */
-class AskBeams : public testing::Test {
+class FindRefuted : public testing::Test {
  protected:
-  AskBeams() {
+  FindRefuted() {
     for (int i = 0; i < 2; ++i) runs_.push_back(test::runOf(test::driveForthAndBack()));
     runs_.push_back(test::runOf(test::broken(test::driveForthAndBack(), 50, 0, {0.5, 1.5})));
   }
@@ -31,12 +31,11 @@ class AskBeams : public testing::Test {
       consensus.graphRuns.push_back(id);
       site.runs.push_back(&run);
     }
-    RunScores scores(runs_.size(), RunScore());
-    for (auto& score : scores) score->mapError = error;
-    const auto welded = askBeams(site, consensus, scores, oneByOne);
-    EXPECT_TRUE(scores[0]);
-    EXPECT_EQ(bool(scores.back()), !welded.back());
-    return welded.back();
+    consensus.errors = ById<RunId, MapError>(runs_.size());
+    for (MapError& of : consensus.errors) of.error = error;
+    const auto refuted = findRefuted(site, consensus, oneByOne);
+    EXPECT_FALSE(refuted[0]);
+    return refuted.back();
   }
 
   std::vector<Transform2D> drawn() const { return drawnPoses(runs_.back().scans); }
@@ -44,20 +43,20 @@ class AskBeams : public testing::Test {
   std::vector<roomgraph::Run> runs_;
 };
 
-TEST_F(AskBeams, aRunThatSeesThroughItsOwnWallsHasNoScore) {
+TEST_F(FindRefuted, tellsARunThatSeesThroughItsOwnWalls) {
   const WeldedKeyFrames welded = asked(0.1, drawn());
   ASSERT_TRUE(welded);
   EXPECT_LT(welded->first, 50u);
   EXPECT_GE(welded->second, 50u);
 }
 
-TEST_F(AskBeams, notIfTheConsensusHasPartedWhatItLaidThere) {
+TEST_F(FindRefuted, notIfTheConsensusHasPartedWhatItLaidThere) {
   EXPECT_FALSE(asked(0.1, drawnPoses(runs_[0].scans)));
 }
 
-TEST_F(AskBeams, norIfItsErrorIsReportedAsLarge) { EXPECT_FALSE(asked(1, drawn())); }
+TEST_F(FindRefuted, norIfItsErrorIsLarge) { EXPECT_FALSE(asked(1, drawn())); }
 
-TEST_F(AskBeams, norIfAllSeeThroughWalls) {
+TEST_F(FindRefuted, norIfAllSeeThroughWalls) {
   runs_.front() = runs_.back();
   EXPECT_FALSE(asked(0.1, drawn()));
 }
