@@ -35,6 +35,14 @@ TEST(PageSummary, saysWhatStandsOut) {
   EXPECT_TRUE(pageSummary({}).empty());
 }
 
+TEST(PageSummary, aRunThatIsRefutedIsNamed) {
+  Comparison comparison = sample().comparison;
+  comparison.runs[0].welded = {8, 201};
+  EXPECT_TRUE(isSaid(comparison,
+                     "morning has drawn key frames 8 and 201 at one place, though they see through "
+                     "each other's walls."));
+}
+
 TEST(PageSummary, pairsOfLowConfidenceAreNamed) {
   Comparison comparison = sample().comparison;
   comparison.pairs[1].confidence = 0.68;
@@ -199,6 +207,13 @@ TEST(NavigationWord, theBestRunWithoutABreakIsNamedForDriving) {
       << navigationWord(comparison);
   comparison.runs[1].score->isMeaningful = false;
   EXPECT_EQ(navigationWord(comparison).find("To drive"), std::string::npos);
+}
+
+TEST(NavigationWord, wallsThatNoOtherHasAreNoBadAlignment) {
+  Comparison comparison = bestWith(0, 0.02);
+  comparison.runs[0].measures = {{"walls_added", 0.6, "1", 5000, {}, {}, true, Point{1, 2}}};
+  EXPECT_EQ(navigationWord(comparison),
+            "Navigation with best: cannot be told, not all of it is confirmed by other runs.");
 }
 
 TEST(NavigationWord, doubtIsNeverGoodEnough) {

@@ -155,6 +155,8 @@ std::vector<std::string> pageSummary(const Comparison& comparison) {
     sentences.push_back("The consensus is that of " +
                         counted(comparison.core.size(), "run", "runs") +
                         ", the core; each other run is held against it.");
+  for (const ComparedRun& run : comparison.runs)
+    if (run.welded) add(run.name + " " + run.unconfirmedFault() + ".");
   add(breaksSentence(comparison));
   add(goneSentence(comparison));
   add(doubtSentence(comparison));
@@ -177,7 +179,7 @@ std::string navigationWord(const Comparison& comparison) {
     return start + "cannot be told, " +
            (fault.empty() ? "there is too little to judge by" : "as " + fault) + ".";
   }
-  if (certainty == Certainty::doubtful)
+  if (comparison.isPlaceDoubtful(best.name))
     return start + "cannot be told, as no reliable alignment links it to most of the others.";
   if (comparison.isScaleUsual())
     return start + "cannot be told in metres, as no map tells its scale.";
