@@ -30,7 +30,7 @@ TEST(RejoinPieces, aTearThatNothingBearsOutIsMended) {
 TEST(RejoinPieces, aTearIsMendedThatTheScansOfTheRunRefute) {
   // Where the rest of the run lies nobody has been: beside it nothing fits.
   WronglyTorn site;
-  const auto there = site.solved.posesOf(0);
+  const auto there = site.solved.consensus.posesOf(0);
   auto torn = there;
   const Transform2D away{40, 0, 0};
   for (Transform2D& pose : torn) pose = away * pose;
@@ -45,7 +45,7 @@ TEST(RejoinPieces, aRunThatIsReallyTornStaysMended) {
   const test::SolvedDrives& site = test::tornAmongSound();
   for (std::size_t run = 0; run < 3; ++run)
     for (std::size_t k = 0; k < site.real[run].size(); ++k)
-      EXPECT_EQ(site.real[run][k].shift(), site.solved.posesOf(run)[k].shift());
+      EXPECT_EQ(site.real[run][k].shift(), site.solved.consensus.posesOf(run)[k].shift());
 }
 
 }  // namespace

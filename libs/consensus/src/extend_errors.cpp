@@ -17,10 +17,10 @@ namespace {
 
 constexpr double kOfTheGap = 1.0 / 3;  // that the scales of a set may differ by
 
-/** How long a run has drawn 1 m, and how far what it has drawn lies from its middle (RMS) [m]. */
+/** How long a run has drawn 1 m. */
 struct DrawnScale {
   RunId run;
-  double scale = 1, reach = 0;
+  double scale = 1;
 };
 
 /** Where three scales or more, ascending, fall into two sets: the place of the first of the larger
@@ -47,14 +47,14 @@ double meanOf(const std::vector<DrawnScale>& scales, std::size_t first, std::siz
 
 /** Lets the interval hold the error by either scale, with the same margins: without what the own
  *  scale adds, and with what the other's would. What remains may point the same way, or across. */
-void extend(MapError& error, const DrawnScale& own, double ownSet, double otherSet) {
-  const double added = std::abs(own.scale - 1) * own.reach;
+void extend(MapError& error, double ownSet, double otherSet) {
+  const double added = std::abs(error.scale - 1) * error.reach;
   const double along = std::max(0.0, error.error - added);
   const double across = std::sqrt(std::max(0.0, error.error * error.error - added * added));
   const double below = std::max(0.0, error.error - error.low);
   const double above = std::max(0.0, error.high - error.error);
-  const double ifRight = std::hypot(along, std::abs(own.scale - ownSet) * own.reach);
-  const double ifOther = std::hypot(across, std::abs(own.scale - otherSet) * own.reach);
+  const double ifRight = std::hypot(along, std::abs(error.scale - ownSet) * error.reach);
+  const double ifOther = std::hypot(across, std::abs(error.scale - otherSet) * error.reach);
   error.low = std::min(error.low, std::max(0.0, ifRight - below));
   error.high = std::max(error.high, ifOther + above);
 }
@@ -141,7 +141,7 @@ void tellScales(Consensus& consensus) {
     const MapError& error = consensus.errors[run];
     const double scale = 1 / consensus.graph.runs[run].stretch;
     if (consensus.graph.showsStretch(run) && error.seen > 0 && error.confirmed >= kMajority)
-      scales.push_back({run, scale, error.reach});
+      scales.push_back({run, scale});
   }
   if (!consensus.graph.reference && scales.size() <= kFewestOthers) return;
   for (const DrawnScale& one : scales) consensus.errors[one.run].scale = one.scale;
@@ -155,7 +155,7 @@ void tellScales(Consensus& consensus) {
     MapError& error = consensus.errors[scales[i].run];
     const bool isLarge = i >= *split;
     error.scaleSet = isLarge ? ScaleSet::larger : ScaleSet::smaller;
-    extend(error, scales[i], isLarge ? large : small, isLarge ? small : large);
+    extend(error, isLarge ? large : small, isLarge ? small : large);
   }
 }
 
@@ -181,10 +181,7 @@ void addJitter(Consensus& consensus, const Site& site) {
   for (const RunId run : consensus.graph.runs.ids()) {
     const std::vector<ScanWalls>& scans = site.runs[consensus.siteRuns[run]]->scans;
     if (run == consensus.graph.reference || scans.empty()) continue;
-    std::vector<Transform2D> poses;
-    for (const NodeId node : consensus.graph.runs[run].nodes)
-      poses.push_back(consensus.poses[node]);
-    const ScanJitter jitter = scanJitter(scans, poses);
+    const ScanJitter jitter = scanJitter(scans, consensus.posesOf(consensus.siteRuns[run]));
     if (jitter.drawn <= fitted::kUsualJitter) continue;
     MapError& error = consensus.errors[run];
     error.jitter = jitter.drawn;

@@ -216,10 +216,6 @@ bool holdSteps(Consensus& consensus, const Site& site, const ForEach& forEach) {
 
 }  // namespace
 
-std::vector<Transform2D> SolvedSite::posesOf(std::size_t run) const {
-  return mapped(consensus.nodesOf(run), [&](NodeId node) { return consensus.poses[node]; });
-}
-
 SolvedSite solveSite(const std::vector<Run>& runs, const MapPairs& related,
                      std::optional<std::size_t> reference, const ForEach& forEach) {
   Site site = placeRuns(runs, related, reference);

@@ -13,7 +13,7 @@ OtherWalls::OtherWalls(const SolvedSite& solved, std::size_t but,
   for (std::size_t i = 0; i < solved.site.runs.size(); ++i) {
     if (i == but || solved.maps.firstOf(i) == solved.maps.firstOf(but)) continue;
     const std::vector<LocalScan> local = localScans(solved.site.runs[i]->scans);
-    const std::vector<Transform2D> real = solved.posesOf(i);
+    const std::vector<Transform2D> real = solved.consensus.posesOf(i);
     for (std::size_t k = 0; k < local.size(); ++k) {
       if (std::none_of(places.begin(), places.end(), [&](Point place) {
             return distance(place, real[k].shift()) < fitted::kEarshot;

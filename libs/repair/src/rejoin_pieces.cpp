@@ -97,7 +97,8 @@ std::vector<Transform2D> rejoinPieces(const SolvedSite& solved,
 RealPoses rejoinPieces(const SolvedSite& solved) {
   RealPoses all(solved.site.runs.size());
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (!solved.site.runs[i]->scans.empty()) all[i] = rejoinPieces(solved, solved.posesOf(i), i);
+    if (!solved.site.runs[i]->scans.empty())
+      all[i] = rejoinPieces(solved, solved.consensus.posesOf(i), i);
   return all;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/consensus/map_errors.h"
 
 namespace roomgraph {
@@ -21,6 +22,10 @@ struct Consensus {
   IdRange<NodeId> nodesOf(std::size_t siteRun) const {
     const RunId run = graphRuns[siteRun];
     return run ? graph.runs[run].nodes : IdRange<NodeId>();
+  }
+  /** Where its scans really lie, or its patches: site <- node. */
+  std::vector<Transform2D> posesOf(std::size_t siteRun) const {
+    return mapped(nodesOf(siteRun), [&](NodeId node) { return poses[node]; });
   }
   MapError errorOf(std::size_t siteRun) const {
     const RunId run = graphRuns[siteRun];

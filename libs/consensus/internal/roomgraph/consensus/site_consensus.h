@@ -31,9 +31,6 @@ struct SolvedSite {
   PairBends bends;  ///< of those
   DistinctMaps maps;
   Consensus consensus;
-
-  /** Where the scans of a run of the site really lie, or its patches: site <- node. */
-  std::vector<Transform2D> posesOf(std::size_t run) const;
 };
 
 /** placeRuns, pairsInSite, siteConsensus and refinePoses, one after the other. `runs` must outlive
