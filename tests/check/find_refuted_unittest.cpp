@@ -31,10 +31,13 @@ class FindRefuted : public testing::Test {
       consensus.graphRuns.push_back(id);
       site.runs.push_back(&run);
     }
+    site.runs.push_back(&runs_.back());  // a copy, for which the last one counts
+    consensus.graphRuns.push_back(consensus.graphRuns.back());
     consensus.errors = ById<RunId, MapError>(runs_.size());
     for (MapError& of : consensus.errors) of.error = error;
     const auto refuted = findRefuted(site, consensus, oneByOne);
     EXPECT_FALSE(refuted[0]);
+    EXPECT_EQ(refuted[2], refuted[3]);
     return refuted.back();
   }
 

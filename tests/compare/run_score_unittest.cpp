@@ -203,6 +203,16 @@ TEST(ScoreRuns, theShareIsTheMeanByTrust) {
   EXPECT_EQ(scores[0]->support, 1000);
 }
 
+TEST(ScoreRuns, aRunWithoutAScoreHasNoSayInTheShares) {
+  PairBends bends = allBends(3, 0.3);
+  bends(0, 1).share = 0.2, bends(0, 2).share = 0.8;
+  std::vector<MapError> errors = errorsOf({0.1, 0.1, 0.1});
+  errors[1] = {};
+  const auto scores = scored(bends, errors, {}, {});
+  EXPECT_EQ(scores[0]->share, 0.8);
+  EXPECT_EQ(scores[0]->trust, 1) << "of those that are trusted";
+}
+
 TEST(ScoreRuns, whereAllAreSmallTheyAreTrustedAllTheSame) {
   PairBends bends = allBends(3, 0.2);
   for (const auto& [i, j] : bends.pairs()) bends(i, j).share = 0.05;

@@ -9,23 +9,22 @@ namespace {
 /** What the beams of a run tell where the consensus has its scans, and what it has welded. */
 struct BeamsOfRun {
   BeamsThroughWalls agreed;
-  std::vector<WeldedPlace> welded;
+  std::vector<WeldedPlace> welded;  ///< none if its error is large
 };
 
-BeamsOfRun beamsOf(const Run& run, const Consensus& consensus, RunId id) {
-  std::vector<Transform2D> poses;
-  for (const NodeId node : consensus.graph.runs[id].nodes) poses.push_back(consensus.poses[node]);
+BeamsOfRun beamsOf(const Run& run, const std::vector<Transform2D>& agreed, double error) {
   const std::vector<LocalScan> scans = localScans(run.scans);
-  BeamsOfRun beams{beamsThroughWalls(scans, poses), {}};
-  beams.welded = findWelded(run, beamsThroughWalls(scans, drawnPoses(run.scans)), beams.agreed);
+  BeamsOfRun beams{beamsThroughWalls(scans, agreed), {}};
+  if (error < kBreakShift)
+    beams.welded = findWelded(run, beamsThroughWalls(scans, drawnPoses(run.scans)), beams.agreed);
   return beams;
 }
 
 /** Whether the beams of one run go through clearly more walls than those of all others. */
-bool standsOut(std::size_t one, const std::vector<std::optional<BeamsOfRun>>& beams) {
-  for (std::size_t i = 0; i < beams.size(); ++i)
-    if (i != one && beams[i] && beams[i]->agreed.share() &&
-        !seesThroughMore(beams[i]->agreed, beams[one]->agreed))
+bool standsOut(RunId one, const ById<RunId, BeamsOfRun>& beams) {
+  for (const RunId other : beams.ids())
+    if (other != one && beams[other].agreed.share() &&
+        !seesThroughMore(beams[other].agreed, beams[one].agreed))
       return false;
   return true;
 }
@@ -34,16 +33,19 @@ bool standsOut(std::size_t one, const std::vector<std::optional<BeamsOfRun>>& be
 
 std::vector<WeldedKeyFrames> findRefuted(const Site& site, const Consensus& consensus,
                                          const ForEach& forEach) {
-  std::vector<std::optional<BeamsOfRun>> beams(site.runs.size());
+  ById<RunId, BeamsOfRun> beams(consensus.graph.runs.size());
   forEach(beams.size(), [&](std::size_t i) {
-    if (!site.runs[i]->scans.empty() && consensus.isCounted(i))
-      beams[i] = beamsOf(*site.runs[i], consensus, consensus.graphRuns[i]);
+    const std::size_t siteRun = consensus.siteRuns[RunId(i)];
+    const Run& run = *site.runs[siteRun];
+    if (!run.scans.empty())
+      beams[RunId(i)] = beamsOf(run, consensus.posesOf(siteRun), consensus.errorOf(siteRun).error);
   });
-  std::vector<WeldedKeyFrames> refuted(beams.size());
-  for (std::size_t i = 0; i < beams.size(); ++i) {
-    if (i == site.reference || !beams[i] || beams[i]->welded.empty()) continue;
-    if (consensus.errorOf(i).error >= kBreakShift || !standsOut(i, beams)) continue;
-    const WeldedPlace& place = beams[i]->welded.front();
+  std::vector<WeldedKeyFrames> refuted(site.runs.size());
+  for (std::size_t i = 0; i < refuted.size(); ++i) {
+    const RunId run = consensus.graphRuns[i];
+    if (!run || run == consensus.graph.reference) continue;
+    if (beams[run].welded.empty() || !standsOut(run, beams)) continue;
+    const WeldedPlace& place = beams[run].welded.front();
     refuted[i] = {place.one.keyFrame, place.other.keyFrame};
   }
   return refuted;

@@ -58,12 +58,12 @@ Comparison compareRuns(const std::vector<Run>& runs, const MapPairs& related,
   const DistinctMaps maps(drawn);
   const Consensus consensus = siteConsensus(site, pairs, maps, forEach);
   returnMemory();  // of hundreds of runs, what it is worked out from is much
-  const std::vector<MapError> errors = siteErrors(site, pairs, drawn, maps, consensus);
-  const PairBends bends = agreedBends(site, consensus, drawn);
-  RunScores scores = scoreRuns(bends, maps, errors, site.reference, options);
+  std::vector<MapError> errors = siteErrors(site, pairs, drawn, maps, consensus);
   const auto welded = findRefuted(site, consensus, forEach);
   for (std::size_t i = 0; i < welded.size(); ++i)
-    if (welded[i]) scores[i].reset();
+    if (welded[i]) errors[i] = {};  // how far it is off does not show
+  const PairBends bends = agreedBends(site, consensus, drawn);
+  RunScores scores = scoreRuns(bends, maps, errors, site.reference, options);
   const Trust trust = trustOf(scores, site.reference);
   const FindBreaksOptions breaking{options.breakRotation, options.breakShift};
   auto breaks = siteBreaks(site, pairs, consensus, trust, breaking, forEach);

@@ -53,7 +53,7 @@ double weigh(RunScores& scores, std::size_t run, const PairBends& bends, const D
   for (const std::size_t j : bends.othersOf(run)) {
     if (!isAsked(j) || bends(run, j).share <= 0) continue;
     const PairBend& pair = bends(run, j);
-    const double trustOfOther = scores[j] ? scores[j]->trust : 1;
+    const double trustOfOther = scores[j] ? scores[j]->trust : double(j == reference);
     weights += trustOfOther * pair.share, trust += trustOfOther;
     score.support += pair.walls;
     ++score.others;
