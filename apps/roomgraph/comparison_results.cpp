@@ -181,8 +181,8 @@ void addResults(Comparison comparison, const std::vector<Run>& runs, const Resul
 void printResults(const Comparison& comparison, const ResultFiles& files,
                   const std::vector<std::string>& more) {
   std::string text = comparisonText(comparison) + printable(comparison.verdict) + "\n";
-  std::vector<std::string> sentences{breaksSentence(comparison), doubtSentence(comparison)};
-  for (const std::string& sentence : sentences)
+  for (const std::string& sentence :
+       {refutedSentence(comparison), breaksSentence(comparison), doubtSentence(comparison)})
     if (!sentence.empty()) text += printable(sentence) + "\n";
   text += fileLines(files.names()) + fileLines(more);
   if (comparison.gate) text += printable(gateLine(*comparison.gate)) + "\n";

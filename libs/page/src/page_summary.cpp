@@ -155,8 +155,7 @@ std::vector<std::string> pageSummary(const Comparison& comparison) {
     sentences.push_back("The consensus is that of " +
                         counted(comparison.core.size(), "run", "runs") +
                         ", the core; each other run is held against it.");
-  for (const ComparedRun& run : comparison.runs)
-    if (run.welded) add(run.name + " " + run.unconfirmedFault() + ".");
+  add(refutedSentence(comparison));
   add(breaksSentence(comparison));
   add(goneSentence(comparison));
   add(doubtSentence(comparison));

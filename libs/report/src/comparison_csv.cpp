@@ -44,7 +44,7 @@ std::string comparisonRunsCsv(const Comparison& comparison) {
       text +=
           "," + csvNumber(run.score ? std::optional<double>((*run.score).*member) : std::nullopt);
     text += run.score && run.score->isMeaningful ? ",1," : ",0,";
-    if (run.score) text += nameOf(comparison.certaintyOf(run));
+    if (run.name != comparison.reference) text += nameOf(comparison.certaintyOf(run));
     for (const double value : {run.pose.x, run.pose.y, run.pose.phi})
       text += "," + csvNumber(value);
     for (const MeasureKind& kind : runMeasureKinds())

@@ -147,7 +147,7 @@ Json gateJson(const std::optional<GateVerdict>& gate) {
 /** What comparisonText says of a run that has a score. */
 std::string scoreText(const RunScore& score, const std::string& coverage,
                       const std::string& certainty) {
-  return formatted("  %5.1f %6.1f-%5.1f  %13.3f  %6.3f-%6.3f  %8s  %s\n", score.score, score.low,
+  return formatted("  %5.1f %6.1f-%5.1f  %13.3f  %6.3f-%6.3f  %8s%s\n", score.score, score.low,
                    score.high, score.mapError, score.errorLow, score.errorHigh, coverage.c_str(),
                    certainty.c_str());
 }
@@ -198,10 +198,12 @@ std::string comparisonText(const Comparison& comparison) {
     std::string name = printable(run.name);
     name.resize(width, ' ');
     const std::string share = seen >= 0 ? std::to_string(std::lround(100 * seen)) + " %" : "-";
-    const std::string line = run.score
-                                 ? scoreText(*run.score, share, nameOf(comparison.certaintyOf(run)))
-                                 : formatted("  %5s %12s  %13s  %13s  %8s%s\n", "-", "", "-", "",
-                                             share.c_str(), run.welded ? "  cannot tell" : "");
+    const std::string certainty = run.name == comparison.reference
+                                      ? ""
+                                      : std::string("  ") + nameOf(comparison.certaintyOf(run));
+    const std::string line = run.score ? scoreText(*run.score, share, certainty)
+                                       : formatted("  %5s %12s  %13s  %13s  %8s%s\n", "-", "", "-",
+                                                   "", share.c_str(), certainty.c_str());
     std::string place = run.rank ? std::to_string(run.rank) : "-";
     text +=
         std::string(4 - std::min<std::size_t>(4, place.size()), ' ') + place + "  " + name + line;
@@ -209,7 +211,6 @@ std::string comparisonText(const Comparison& comparison) {
   for (const ComparedRun& run : comparison.runs) {
     if (run.isScaleEstimated)
       text += printable(run.name) + formatted(": %.5f m per cell, estimated.\n", run.resolution);
-    if (run.welded) text += printable(run.name) + " " + run.unconfirmedFault() + ".\n";
   }
   return text;
 }

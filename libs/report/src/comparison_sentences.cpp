@@ -63,6 +63,13 @@ std::string breaksSentence(const Comparison& comparison) {
          largestBreak(comparison) + (slight > 0 ? " " + more + ", too." : "");
 }
 
+std::string refutedSentence(const Comparison& comparison) {
+  std::vector<std::string> lines;
+  for (const ComparedRun& run : comparison.runs)
+    if (run.welded) lines.push_back(run.name + " " + run.unconfirmedFault());
+  return lines.empty() ? "" : listedSentences(std::move(lines), kMostNames) + ".";
+}
+
 std::string doubtSentence(const Comparison& comparison) {
   std::vector<std::string> names;
   for (const ComparedPair& pair : comparison.pairs)

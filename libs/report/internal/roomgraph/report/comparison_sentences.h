@@ -17,6 +17,9 @@ constexpr std::size_t kMostNames = 4;
 /** Which maps break, and where most; empty where none does. */
 [[nodiscard]] std::string breaksSentence(const Comparison& comparison);
 
+/** Which runs their own beams refute, so that they have no score; empty for none. */
+[[nodiscard]] std::string refutedSentence(const Comparison& comparison);
+
 /** Which pairs of the site are aligned with a confidence below kSureConfidence; empty for none. */
 [[nodiscard]] std::string doubtSentence(const Comparison& comparison);
 
