@@ -57,7 +57,7 @@ viz::CSetOfObjects::Ptr areasOf(const AreaGraph& areas) {
 }
 
 viz::CSetOfObjects::Ptr bordersOf(const Stages& stages) {
-  auto set = setOf(graphOf(stages.largest, stages.rooms));
+  auto set = setOf(graphOf(stages.kept, stages.rooms));
   set->insert(pointsAt(crossings(stages), kStageHeight, kObstacles, 7));
   return set;
 }

@@ -37,7 +37,7 @@ TEST(DrawStages, writesOnePictureForEachStepAndTheCounts) {
   EXPECT_EQ(json["stages"][0]["file"], "01_grid.png");
   EXPECT_EQ(json["stages"][1]["counts"]["obstacle_cells"], stages.obstacles.cells.size());
   EXPECT_EQ(json["stages"][4]["counts"]["edges"], stages.clearEdges.size());
-  EXPECT_EQ(json["stages"][8]["counts"]["vertices"], stages.largest.vertices().size());
+  EXPECT_EQ(json["stages"][8]["counts"]["vertices"], stages.kept.vertices().size());
   EXPECT_EQ(json["stages"][14]["counts"]["rooms"], stages.result.rooms.size());
   EXPECT_EQ(json["stages"][15]["file"], "16_areas.png");
   EXPECT_EQ(json["stages"][15]["counts"]["rooms"], stages.result.rooms.size());

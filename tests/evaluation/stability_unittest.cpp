@@ -85,7 +85,7 @@ TEST(Stability, comparesWithOneNoisyMapByThePapersMeasure) {
     noisy.grey[i] = grid.cells[i] == State::occupied ? 0 : 255;
   const Stages stages = extract(noisy, e.extract);
   EXPECT_EQ(measures.room.nearest, nearestVertices(base.room.graph, stages.result.graph));
-  EXPECT_EQ(measures.noRoom.nearest, nearestVertices(base.noRoom, stages.largest));
+  EXPECT_EQ(measures.noRoom.nearest, nearestVertices(base.noRoom, stages.kept));
   EXPECT_EQ(measures.rooms, int(stages.result.rooms.size()));
   EXPECT_GT(measures.noRoom.nearest, 0.0);
 }

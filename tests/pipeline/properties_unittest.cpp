@@ -48,10 +48,10 @@ void failOn(const std::vector<std::string>& broken, const MapText& map) {
 TEST(AnyMap, keepsThePromisesOfEveryStep) {
   checkOnMaps("promises", 300, [](const MapText& map) {
     ExtractOptions options;
-    options.keepLargest.allComponents = true;
-    failOn(brokenPromises(extract(greyMap(map), options)), map);
-    options.keepLargest.allComponents = false;
-    failOn(brokenPromises(extract(greyMap(map), options)), map);
+    for (const char* which : {"largest", "with_rooms", "all"}) {
+      options.keepComponents.which = which;
+      failOn(brokenPromises(extract(greyMap(map), options)), map);
+    }
   });
 }
 
@@ -59,7 +59,7 @@ TEST(AnyMap, keepsThePromisesWithSmallRooms) {
   checkOnMaps("promises with small rooms", 200, [](const MapText& map) {
     ExtractOptions options;
     options.findRooms.minWidth = 0.7;
-    options.keepLargest.allComponents = true;
+    options.keepComponents.which = "all";
     failOn(brokenPromises(extract(greyMap(map), options)), map);
   });
 }

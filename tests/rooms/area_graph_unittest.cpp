@@ -68,14 +68,14 @@ std::vector<bool> reached(const Grid& grid, std::vector<Cell> starts) {
 TEST(AreaGraph, roomsComeFirstAndInTheirOrder) {
   const Stages stages = extracted(roomsOnACorridor());
   const AreaGraph& graph = stages.areas;
-  ASSERT_EQ(stages.result.rooms.size(), 2u);
-  ASSERT_EQ(graph.areas.size(), 3u);
-  for (std::size_t i = 0; i < 2; ++i) {
+  ASSERT_EQ(stages.result.rooms.size(), 3u);
+  ASSERT_EQ(graph.areas.size(), 4u);
+  for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(graph.areas[i].room, RoomId(i));
     EXPECT_EQ(graph.areas[i].polygon.outer, stages.result.rooms[i].shape.polygon.outer);
     EXPECT_EQ(graph.areas[i].inscribedRadius, stages.result.rooms[i].shape.inscribedRadius);
   }
-  EXPECT_FALSE(graph.areas[2].isRoom());
+  EXPECT_FALSE(graph.areas[3].isRoom());
 }
 
 TEST(AreaGraph, eachDoorIsOnePassageWithItsWidthAndMiddle) {
@@ -88,7 +88,7 @@ TEST(AreaGraph, eachDoorIsOnePassageWithItsWidthAndMiddle) {
     ASSERT_EQ(graph.areas[area.index()].passages.size(), 1u) << room;
     const Passage& passage = graph.passages[graph.areas[area.index()].passages[0].index()];
     EXPECT_EQ(passage.a, area);
-    EXPECT_EQ(passage.b, AreaId(2));
+    EXPECT_EQ(passage.b, AreaId(3));
     // From the centre of the cell on one side to that on the other.
     EXPECT_NEAR(passage.width, 5 * 0.2, 1e-9);
     EXPECT_NEAR(passage.middle().x, doorX, 1e-9);
@@ -96,7 +96,7 @@ TEST(AreaGraph, eachDoorIsOnePassageWithItsWidthAndMiddle) {
     // Who leaves the room goes down and has the right side of the picture on the left.
     EXPECT_GT(passage.from.x, passage.to.x);
   }
-  EXPECT_EQ(graph.areas[2].passages, (std::vector<PassageId>{PassageId(0), PassageId(1)}));
+  EXPECT_EQ(graph.areas[3].passages, (std::vector<PassageId>{PassageId(0), PassageId(1)}));
 }
 
 TEST(AreaGraph, passagesEndInCornersOfBothPolygons) {
@@ -134,9 +134,14 @@ TEST(AreaGraph, areasAndPassagesKnowEachOther) {
 
 TEST(AreaGraph, aRoomThatTheGraphDoesNotReachHasNoLabel) {
   const MapText map = roomsOnACorridor();
-  const Stages stages = extracted(map);
+  ExtractOptions options;
+  options.keepComponents.which = "largest";
+  const Stages stages = extract(greyMap(map), options);
   EXPECT_EQ(labelAt(stages, map.names.at('C')), 0);
   EXPECT_EQ(labelAt(stages, map.names.at('D')), 3);
+  const Stages all = extracted(map);
+  EXPECT_EQ(labelAt(all, map.names.at('C')), 3);
+  EXPECT_EQ(labelAt(all, map.names.at('D')), 4);
 }
 
 TEST(AreaGraph, everyFreeCellWithAWayToTheGraphHasOneLabelAndNoOtherCellHas) {
@@ -146,7 +151,7 @@ TEST(AreaGraph, everyFreeCellWithAWayToTheGraphHasOneLabelAndNoOtherCellHas) {
     const Stages stages = extracted(map);
     const GridFrame& frame = stages.grid.frame;
     std::vector<Cell> starts;
-    for (const Edge& edge : stages.largest.edges())
+    for (const Edge& edge : stages.kept.edges())
       for (const Point p : edge.path.points) starts.push_back(frame.cellAt(p));
     const std::vector<bool> isReached = reached(stages.cleared.grid, starts);
     std::size_t missing = 0, tooMany = 0;

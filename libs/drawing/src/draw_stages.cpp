@@ -95,14 +95,14 @@ Picture borderPicture(const Stages& stages) {
   Picture picture{Json::object({{"crossings", places.size()}}), {}};
   picture.scene.layers = [&stages, places](const Pen& pen) {
     drawRooms(pen, polygonsOf(stages.rooms));
-    drawPaths(pen, stages.largest);
+    drawPaths(pen, stages.kept);
     for (const Point p : places) pen.mark(VertexKind::border, pen.view().px(p));
   };
   picture.scene.legend = {
       roomLegend(stages.rooms.size()),
       {groupedCount(places.size(), "crossing", "crossings"),
        [](const Pen& pen, Point place) { pen.mark(VertexKind::border, place); }},
-      lineLegend(groupedCount(stages.largest.edges().size(), "path", "paths"), ink::blue, 2)};
+      lineLegend(groupedCount(stages.kept.edges().size(), "path", "paths"), ink::blue, 2)};
   return picture;
 }
 

@@ -36,7 +36,7 @@ const std::vector<StageName>& stageNames() {
       {"topology", "III-A", "runs of Voronoi edges joined to paths", &Stages::topology},
       {"pruned", "III-A", "without dead ends that lead nowhere", &Stages::pruned},
       {"joined", "III-A", "near vertices joined", &Stages::joinedUp},
-      {"largest", "III-A", "connected parts that are kept", &Stages::largest},
+      {"kept", "III-A", "connected parts that are kept", &Stages::kept},
       {"rooms", "III-B", "rooms, the inner polygons of the alpha shape"},
       {"border_vertices", "III-C", "where paths cross the rooms' polygons"},
       {"cut", "III-D, III-E", "paths cut at the border vertices, with room ids", &Stages::cut},
@@ -51,7 +51,7 @@ std::vector<Point> crossings(const Stages& stages) {
   std::vector<Point> places;
   for (std::size_t e = 0; e < stages.stretches.size(); ++e)
     for (std::size_t s = 1; s < stages.stretches[e].size(); ++s)
-      places.push_back(pointAt(stages.largest.edges()[e].path.points, stages.stretches[e][s].from));
+      places.push_back(pointAt(stages.kept.edges()[e].path.points, stages.stretches[e][s].from));
   return places;
 }
 

@@ -164,7 +164,7 @@ StabilityBase stabilityBase(const GreyMap& map, const ExtractOptions& extract,
   const WallNoise noise{options.baseDistance, options.basePercent,
                         seedOf(options.seed, options.baseDistance, options.basePercent, 0)};
   Stages stages = extractNoisy(base.grid, noise, extract);
-  base.noRoom = std::move(stages.largest);
+  base.noRoom = std::move(stages.kept);
   base.room = std::move(stages.result);
   return base;
 }
@@ -173,7 +173,7 @@ RunMeasures measureRun(const StabilityBase& base, const StabilityRun& run) {
   const Stages noisy = extractNoisy(base.grid, run.noise, base.extract);
   RunMeasures measures;
   measures.room = graphDistance(base.room.graph, noisy.result.graph, base.matchWithin);
-  measures.noRoom = graphDistance(base.noRoom, noisy.largest, base.matchWithin);
+  measures.noRoom = graphDistance(base.noRoom, noisy.kept, base.matchWithin);
   const auto found = matchRooms(base.room.rooms, noisy.result.rooms, base.grid.frame);
   if (!base.room.rooms.empty())
     measures.roomsFound = double(found.size()) / double(base.room.rooms.size());

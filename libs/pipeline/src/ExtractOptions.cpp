@@ -17,6 +17,7 @@ ExtractOptions paperPreset() {
   options.deadEnds.allOnce = true;
   options.deadEnds.minLengthPx = 8;
   options.joinVertices.maxDistancePx = 4;
+  options.keepComponents.which = "largest";
   options.clearClutter.maxSize = 0;
   options.findRooms.alphaPx2 = 250;
   options.shortDeadEnds.minLengthPx = 20;
@@ -36,7 +37,7 @@ FieldTable describe(ExtractOptions& options) {
   describe(options.keepClear, table);
   describe(options.deadEnds, table);
   describe(options.joinVertices, table);
-  describe(options.keepLargest, table);
+  describe(options.keepComponents, table);
   describe(options.clearClutter, table);
   describe(options.findRooms, table);
   describe(options.splitAtDoors, table);

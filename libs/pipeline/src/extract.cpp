@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/grid/ObstacleRows.h"
 #include "roomgraph/grid/wall_obstacles.h"
+#include "roomgraph/rooms/RoomIndex.h"
 #include "roomgraph/rooms/area_graph.h"
 #include "roomgraph/rooms/cut_paths.h"
 #include "roomgraph/rooms/drop_half_seen.h"
@@ -186,6 +188,16 @@ TopologyGraph passedClutter(TopologyGraph graph, const Stages& s) {
   return passClutter(std::move(graph), isClutter, ObstacleRows(walls), s.options.deadEnds);
 }
 
+/** Those without another room go; where the rooms are is asked only if there are several. */
+TopologyGraph keptComponents(Stages& s) {
+  std::optional<RoomIndex> rooms;
+  const auto roomAt = [&](Point place) {
+    if (!rooms) rooms.emplace(s.outlines.rooms());
+    return rooms->roomAt(place);
+  };
+  return keepComponents(s.joinedUp, roomAt, s.options.keepComponents, s.notes);
+}
+
 /** Notes how long each step took that sets a member of some Stages:
  *
  *      step("voronoi_graph").voronoi = voronoiGraph(s.obstacles);
@@ -237,13 +249,13 @@ Stages extractGrid(Stages s, const std::function<Grid()>& cells, Diagram diagram
   step("dead_ends").pruned = removeDeadEnds(s.topology, options.deadEnds, resolution);
   step("pass_clutter").pruned = passedClutter(std::move(s.pruned), s);
   step("join_vertices").joinedUp = joinVertices(s.pruned, options.joinVertices, resolution);
-  step("keep_largest").largest = keepLargest(s.joinedUp, options.keepLargest, s.notes);
+  step("keep_components").kept = keptComponents(s);
   // III-B: the rooms
   step("trace_rooms").rooms = s.outlines.rooms();
   // III-C to III-G: rooms in the graph
   const double minLength = shortLength(options.shortDeadEnds, resolution);
-  step("border_vertices").stretches = borderVertices(s.largest, s.rooms, s.clearance, kEpsilon);
-  step("cut_paths").cut = cutPaths(s.largest, s.stretches);
+  step("border_vertices").stretches = borderVertices(s.kept, s.rooms, s.clearance, kEpsilon);
+  step("cut_paths").cut = cutPaths(s.kept, s.stretches);
   step("room_ids").cut = roomIds(std::move(s.cut), s.rooms, minLength);
   step("short_dead_ends").cleaned = removeShortDeadEnds(s.cut, minLength);
   // Rooms that are split at their doors share these; those of a disc leave a gap in each.

@@ -14,27 +14,27 @@
 #include "roomgraph/topology/dead_ends.h"
 #include "roomgraph/topology/join_vertices.h"
 #include "roomgraph/topology/keep_clear.h"
+#include "roomgraph/topology/keep_components.h"
 #include "roomgraph/topology/keep_inside.h"
-#include "roomgraph/topology/keep_largest.h"
 
 namespace roomgraph {
 
 /** The options of all steps, in the order of the pipeline. */
 struct ExtractOptions {
-  LoadGridOptions loadGrid;            ///< reading of maps
-  BinarizeOptions binarize;            ///< IV-C
-  ThinObstaclesOptions thinObstacles;  ///< IV-C
-  KeepInsideOptions keepInside;        ///< III-A
-  KeepClearOptions keepClear;          ///< III-A
-  DeadEndsOptions deadEnds;            ///< III-A
-  JoinVerticesOptions joinVertices;    ///< III-A
-  KeepLargestOptions keepLargest;      ///< III-A
-  ClearClutterOptions clearClutter;    ///< end of IV-C
-  FindRoomsOptions findRooms;          ///< III-B
-  SplitAtDoorsOptions splitAtDoors;    ///< instead of III-B
-  ShortDeadEndsOptions shortDeadEnds;  ///< III-F
-  JoinDoorsOptions joinDoors;          ///< after III-F
-  RoomGraphOptions roomGraph;          ///< III-G
+  LoadGridOptions loadGrid;              ///< reading of maps
+  BinarizeOptions binarize;              ///< IV-C
+  ThinObstaclesOptions thinObstacles;    ///< IV-C
+  KeepInsideOptions keepInside;          ///< III-A
+  KeepClearOptions keepClear;            ///< III-A
+  DeadEndsOptions deadEnds;              ///< III-A
+  JoinVerticesOptions joinVertices;      ///< III-A
+  KeepComponentsOptions keepComponents;  ///< III-A
+  ClearClutterOptions clearClutter;      ///< end of IV-C
+  FindRoomsOptions findRooms;            ///< III-B
+  SplitAtDoorsOptions splitAtDoors;      ///< instead of III-B
+  ShortDeadEndsOptions shortDeadEnds;    ///< III-F
+  JoinDoorsOptions joinDoors;            ///< after III-F
+  RoomGraphOptions roomGraph;            ///< III-G
 };
 
 /** Everything that is said about the options; points into `options`. */

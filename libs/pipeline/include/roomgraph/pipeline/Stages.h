@@ -36,12 +36,12 @@ struct Stages {
   TopologyGraph topology;   ///< III-A, as the Voronoi diagram gives it
   TopologyGraph pruned;     ///< III-A, without dead ends
   TopologyGraph joinedUp;   ///< III-A, with near vertices joined
-  TopologyGraph largest;    ///< III-A, the graph without rooms
+  TopologyGraph kept;       ///< III-A, the graph without rooms
   ClearedMap cleared;       ///< end of IV-C: the map without clutter, for rooms and areas
   double roomRadius = 0;    ///< of the disc that rooms are found with [m]; 0 when split at doors
   RegionOutlines outlines;  ///< of that map: rooms and pieces of corridor
   Rooms rooms;              ///< III-B
-  PathStretches stretches;  ///< III-C, per edge of `largest`
+  PathStretches stretches;  ///< III-C, per edge of `kept`
   TopologyGraph cut;        ///< III-D and E: paths cut, room ids set
   TopologyGraph cleaned;    ///< III-F: without short dead ends
   TopologyGraph doors;      ///< with doors between rooms joined to one vertex

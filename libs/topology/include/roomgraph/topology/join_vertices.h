@@ -7,7 +7,7 @@ namespace roomgraph {
 // Paper III-A: "the vertices which are very close to each other are merged"
 // In:   TopologyGraph
 // Out:  TopologyGraph
-// Next: keepLargest
+// Next: keepComponents
 
 struct JoinVerticesOptions {
   double maxDistance = 0.2;  ///< along the path [m]
