@@ -42,7 +42,7 @@ for file in site.json none.json; do
 done
 cmp site.json before.json
 [ ! -e none.json ] || fail "names of a bad night are kept"
-expect 0 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o o4 --names site.json --fail-on coverage
+expect 0 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o o4 --names site.json --fail-on broken
 cmp -s site.json before.json && fail "names of a good night are not kept"
 
 # A file that is broken, or of another site, is one line, and stays as it is.

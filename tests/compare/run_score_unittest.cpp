@@ -137,6 +137,7 @@ TEST(ScoreRuns, aReferenceIsTheTruth) {
   EXPECT_TRUE(scores[0]->isMeaningful) << "one reference is enough";
   EXPECT_EQ(scores[0]->others, 1u);
   EXPECT_EQ(trustOf(scores, 2), (Trust{0, 0, 1}));
+  EXPECT_EQ(witnessesOf(scores, 2), (Trust{scores[0]->trust, scores[1]->trust, 1}));
   EXPECT_THROW(scored(allBends(3, 0.6), errorsOf({0, 0, 0}), 3, {}), UsageError);
   EXPECT_THROW(scored(allBends(3, 0.6), errorsOf({0, 0}), {}, {}), UsageError);
 }

@@ -12,7 +12,8 @@ namespace {
 using test::PlacedGraphs;
 
 TEST(MeasureSite, aSiteWithoutRunsHasNone) {
-  const SiteMeasures none = measureSite({}, {}, {}, DistinctMaps(PairBends()), {}, {}, oneByOne);
+  const SiteMeasures none =
+      measureSite({}, {}, {}, DistinctMaps(PairBends()), {}, {}, {}, oneByOne);
   EXPECT_TRUE(none.runs.empty());
   EXPECT_EQ(none.pairs.things(), 0u);
 }

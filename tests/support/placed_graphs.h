@@ -33,7 +33,7 @@ struct PlacedGraphs {
   SiteMeasures measures() const {
     const std::vector<std::vector<MapBreak>> breaks(runs.size());
     const PairBends bends(runs.size());
-    return measureSite(site, pairs, bends, DistinctMaps(bends), trust, breaks, oneByOne);
+    return measureSite(site, pairs, bends, DistinctMaps(bends), trust, trust, breaks, oneByOne);
   }
   Measure measure(std::size_t run, const std::string& name) const {
     return *find(measures().runs[run], name);

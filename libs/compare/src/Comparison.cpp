@@ -72,6 +72,12 @@ bool Comparison::isScaleUsual() const {
                                       [](const ComparedRun& run) { return run.isScaleEstimated; });
 }
 
+bool Comparison::hasBoth(const ComparedPair& pair) const {
+  return std::count_if(runs.begin(), runs.end(), [&](const ComparedRun& run) {
+           return run.name == pair.a || run.name == pair.b;
+         }) == 2;
+}
+
 std::size_t Comparison::countBreaks(const std::string& run) const {
   return std::size_t(std::count_if(breaks.begin(), breaks.end(), [&](const MapBreak& found) {
     return found.run == run && found.kind() != BreakClass::slight;

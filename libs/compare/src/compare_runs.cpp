@@ -69,7 +69,9 @@ Comparison compareRuns(const std::vector<Run>& runs, const MapPairs& related,
   auto breaks = siteBreaks(site, pairs, consensus, trust, breaking, forEach);
   const ReferenceFaults faults = askReference(site, scores);
   if (site.reference) breaks[*site.reference] = faults.breaks;
-  const SiteMeasures measures = measureSite(site, pairs, bends, maps, trust, breaks, forEach);
+  const Trust witnesses = witnessesOf(scores, site.reference);
+  const SiteMeasures measures =
+      measureSite(site, pairs, bends, maps, trust, witnesses, breaks, forEach);
   const std::vector<SiteRoom> rooms = siteRooms(site, trust, forEach);
   returnMemory();
   return summarize(

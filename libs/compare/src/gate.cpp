@@ -9,12 +9,11 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/base/time_text.h"
+#include "roomgraph/compare/record_error.h"
 #include "roomgraph/relate/PairBend.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr std::size_t kBest = 3;  // runs that a new one is held against
 
 using Lines = std::vector<std::string>;
 
@@ -38,11 +37,6 @@ std::string shareText(const char* verb, double share, double least, const char* 
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-std::optional<double> trustedError(const ComparedRun& run) {
-  if (!run.score || !run.score->isMeaningful) return {};
-  return run.score->mapError;
 }
 
 class Judge {
@@ -70,6 +64,7 @@ class Judge {
   bool isJudged(const std::string& run) const {
     return options_.candidates.empty() || contains(options_.candidates, run);
   }
+  bool areFew() const { return comparison_.runs.size() <= kFewestOthers; }
   bool needsError() const {
     return options_.maxError || options_.maxWorse || !options_.candidates.empty();
   }
@@ -97,9 +92,9 @@ class Judge {
 
   /** Says of a figure that nothing backs why it cannot be told. */
   void complainOfDoubt(const ComparedRun& run, const char* figure) {
-    const std::string fault = comparison_.faultOf(run);
-    complain(run.name, std::string(figure) +
-                           " cannot be told: " + (fault.empty() ? "too little to compare" : fault));
+    std::string fault = comparison_.faultOf(run);
+    if (fault.empty()) fault = areFew() ? "that takes two other maps" : "too little to compare";
+    complain(run.name, std::string(figure) + " cannot be told: " + fault);
   }
 
   void judgeScore(const ComparedRun& run) {
@@ -111,9 +106,18 @@ class Judge {
                    left < 0 ? "below" : "above", *options_.minScore));
   }
 
+  /** No map passes for want of a figure that takes two others. */
+  void complainIfUntold(const ComparedRun& run, const char* measure, const char* figure) {
+    if (trustedValueOf(run.measures, measure)) return;
+    if (areFew() || !trustedError(run)) complainOfDoubt(run, figure);
+  }
+
   void judgeCoverage(const ComparedRun& run) {
+    if (!options_.failsOnCoverage) return;
     const Measure* coverage = find(run.measures, "coverage");
-    if (!options_.failsOnCoverage || !coverage || !coverage->value) return;
+    if (!coverage || !coverage->value ||
+        (!coverage->isMeaningful && *coverage->value >= kNearlyAll))
+      return complainIfUntold(run, "coverage", "its coverage");
     const double value = *coverage->value;
     hold("coverage", run.name, value - kNearlyAll,
          shareText("has seen", value, kNearlyAll, "of what at least two runs have seen"));
@@ -158,6 +162,7 @@ class Judge {
 
   void judgeWalls(const ComparedRun& run) {
     if (!options_.failsOnWalls) return;
+    complainIfUntold(run, "walls_missing", "what walls it lacks");
     judgeShare(run, "walls_missing", kMostMissing, 0, "lacks", "the walls that two others have");
     judgeShare(run, "walls_added", kMostAdded, 0, "has a place",
                "the walls stand in free space of the others");
@@ -240,11 +245,12 @@ class Judge {
       lines.push_back(
           formatted("map error at most %.4g m above the median of the three best others",
                     *options_.maxWorse));
-    if (options_.failsOnCoverage) lines.push_back("enough coverage");
-    if (options_.failsOnBreaks) lines.push_back("no break that is not slight");
-    if (options_.failsOnUnconfirmed) lines.push_back("a map that others confirm");
-    if (options_.failsOnOtherSites) lines.push_back("the same site");
-    if (options_.failsOnWalls) lines.push_back("walls as the others have them");
+    for (const auto& [isAsked, what] : {std::pair(options_.failsOnCoverage, "enough coverage"),
+                                        {options_.failsOnBreaks, "no break that is not slight"},
+                                        {options_.failsOnUnconfirmed, "a map that others confirm"},
+                                        {options_.failsOnOtherSites, "the same site"},
+                                        {options_.failsOnWalls, "walls as the others have them"}})
+      if (isAsked) lines.emplace_back(what);
     return lines;
   }
   Lines asked() const {
@@ -281,20 +287,6 @@ std::string sharpnessFault(double own, double usual) {
 GateVerdict gateVerdict(const Comparison& comparison, const GateOptions& options) {
   if (options.asksNothing()) return {};
   return Judge(comparison, options).verdict();
-}
-
-std::optional<RecordError> recordError(const Comparison& comparison, const std::string& run,
-                                       const std::vector<std::string>& candidates) {
-  std::vector<double> errors;
-  for (const ComparedRun& other : comparison.runs) {
-    if (other.name == run || other.name == comparison.reference) continue;
-    const auto error = contains(candidates, other.name) ? std::nullopt : trustedError(other);
-    if (error) errors.push_back(*error);
-  }
-  if (errors.empty()) return {};
-  std::sort(errors.begin(), errors.end());
-  errors.resize(std::min(kBest, errors.size()));
-  return RecordError{median(errors), errors.size()};
 }
 
 }  // namespace roomgraph

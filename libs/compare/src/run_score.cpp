@@ -106,9 +106,16 @@ RunScores scoreRuns(const PairBends& bends, const DistinctMaps& maps,
 }
 
 Trust trustOf(const RunScores& scores, std::optional<std::size_t> reference) {
+  if (!reference) return witnessesOf(scores, {});
+  Trust trust(scores.size());
+  trust[*reference] = 1;
+  return trust;
+}
+
+Trust witnessesOf(const RunScores& scores, std::optional<std::size_t> reference) {
   Trust trust;
   for (std::size_t i = 0; i < scores.size(); ++i)
-    trust.push_back(reference ? double(i == *reference) : scores[i] ? scores[i]->trust : 0);
+    trust.push_back(i == reference ? 1 : scores[i] ? scores[i]->trust : 0);
   return trust;
 }
 

@@ -17,7 +17,7 @@ Measure measureOf(const MeasureKind& kind, const MeasuredValue& measured) {
 }  // namespace
 
 SiteMeasures measureSite(const Site& site, const MapPairs& pairs, const PairBends& bends,
-                         const DistinctMaps& maps, const Trust& trust,
+                         const DistinctMaps& maps, const Trust& trust, const Trust& witnesses,
                          const std::vector<std::vector<MapBreak>>& breaks, const ForEach& forEach) {
   const std::size_t n = site.runs.size();
   if (n == 0) return {};
@@ -26,8 +26,9 @@ SiteMeasures measureSite(const Site& site, const MapPairs& pairs, const PairBend
                               bends,
                               maps,
                               trust,
+                              witnesses,
                               breaks,
-                              coverageOf(site, maps, trust),
+                              coverageOf(site, maps, witnesses),
                               distancesOf(site, pairs.pairs(), forEach),
                               wallSightings(site, pairs, forEach),
                               roomCounts(site, pairs.pairs(), forEach),

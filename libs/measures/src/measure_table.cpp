@@ -25,10 +25,11 @@ MeasureRow wallDistance(const MeasureKind& kind, double share) {
 MeasureRow ofSightings(const MeasureKind& kind,
                        MeasuredValue (*figure)(const SightingTable&, const DistinctMaps&,
                                                const Trust&, Index)) {
-  return {
-      kind,
-      [figure](Evidence all, Index run) { return figure(all.sightings, all.maps, all.trust, run); },
-      {}};
+  return {kind,
+          [figure](Evidence all, Index run) {
+            return figure(all.sightings, all.maps, all.witnesses, run);
+          },
+          {}};
 }
 
 MeasureRow ofMap(const MeasureKind& kind, MeasuredValue (*figure)(const Run&)) {

@@ -21,7 +21,8 @@ struct SiteEvidence {
   const MapPairs& pairs;
   const PairBends& bends;
   const DistinctMaps& maps;
-  const Trust& trust;
+  const Trust& trust;                                ///< on where things are
+  const Trust& witnesses;                            ///< on what there is to be seen
   const std::vector<std::vector<MapBreak>>& breaks;  ///< of each run
 
   std::vector<MeasuredValue> coverage;  ///< of each run: what one covers hangs on all

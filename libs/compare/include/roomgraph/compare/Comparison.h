@@ -127,8 +127,7 @@ struct Comparison {
   [[nodiscard]] bool isPlaceDoubtful(const std::string& run) const;
   /** Whether no map told a scale: metres are those of a usual one, and only cells are right. */
   [[nodiscard]] bool isScaleUsual() const;
-  /** The breaks of a run that are not slight. O(breaks). */
-  [[nodiscard]] std::size_t countBreaks(const std::string& run) const;
+  [[nodiscard]] std::size_t countBreaks(const std::string& run) const;  ///< that are not slight
   /** Why nobody can be measured by the reference: it breaks itself, or fits the run only in part;
    *  empty where it is sound, and without one. O(breaks). */
   [[nodiscard]] std::string faultOfReference(const ComparedRun& run) const;
@@ -141,6 +140,7 @@ struct Comparison {
    *  smeared, its scale disputed, all runs of one drive or its interval wide; else *sure*. */
   [[nodiscard]] Certainty certaintyOf(const ComparedRun& run) const;
 
+  [[nodiscard]] bool hasBoth(const ComparedPair& pair) const;  ///< neither run of it is left out
   /** The names of the runs of each map that is there more than once, ascending. O(pairs). */
   [[nodiscard]] std::vector<std::vector<std::string>> copies() const;
   /** The same of each picture of which there are several edits, copies among them. */

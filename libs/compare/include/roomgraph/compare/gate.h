@@ -43,9 +43,10 @@ struct GateOptions {
   }
 };
 
-/** The complaints are "run: what is wrong". Coverage counts as it is, meaningful or not, scores and
- *  map errors only where they can be trusted; a reference needs none of them. Where no run is left
- *  to judge, or to judge it by, that is a complaint.
+/** The complaints are "run: what is wrong". A figure that is asked for and cannot be told is one,
+ *  too: scores and map errors that cannot be trusted, and what takes two other maps where there is
+ *  but one; a reference needs none of them. Where no run is left to judge, or to judge it by, that
+ *  is a complaint.
  *
  *      GateOptions gate;
  *      gate.maxError = 0.3, gate.failsOnBreaks = true, gate.candidates = {"tonight"};
@@ -53,18 +54,6 @@ struct GateOptions {
  *        std::puts(line.c_str());  // "tonight: its map error of 0.412 m is ..."
  */
 [[nodiscard]] GateVerdict gateVerdict(const Comparison& comparison, const GateOptions& options);
-
-/** The record that a run is held against. */
-struct RecordError {
-  double error = 0;      ///< the median of the least map errors of others [m]
-  std::size_t runs = 0;  ///< how many others that median is of, at most three
-};
-
-/** The record of a run: the three least map errors that can be trusted, of runs that are neither
- *  this one nor among the candidates; nothing where there is none. */
-[[nodiscard]] std::optional<RecordError> recordError(const Comparison& comparison,
-                                                     const std::string& run,
-                                                     const std::vector<std::string>& candidates);
 
 /** What is wrong with walls of a `wall_sharpness` beside the median of the others: more than
  *  kMostThinned times thinner or thicker; empty for nothing. */

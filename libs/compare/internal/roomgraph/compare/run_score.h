@@ -33,7 +33,10 @@ RunScores scoreRuns(const PairBends& bends, const DistinctMaps& maps,
                     const std::vector<MapError>& errors, std::optional<std::size_t> reference,
                     const CompareRunsOptions& options);
 
-/** Whom to trust: the runs as they are scored, or a reference alone. */
+/** Whom to trust on where things are: the runs as they are scored, or a reference alone. */
 Trust trustOf(const RunScores& scores, std::optional<std::size_t> reference);
+
+/** Whose word counts on what there is to be seen: also beside a reference, that of each run. */
+Trust witnessesOf(const RunScores& scores, std::optional<std::size_t> reference);
 
 }  // namespace roomgraph

@@ -22,10 +22,11 @@ struct SiteMeasures {
 };
 
 /** Measures all runs and pairs. `bends` are those of `pairs`, `maps` says which runs are copies,
- *  and `breaks` are those of each run.
+ *  `trust` whom to trust on where things are and `witnesses` on what there is, and `breaks` are
+ *  those of each run.
  *  O(pairs * (walls + cells of the site + compareGraphs)). */
 SiteMeasures measureSite(const Site& site, const MapPairs& pairs, const PairBends& bends,
-                         const DistinctMaps& maps, const Trust& trust,
+                         const DistinctMaps& maps, const Trust& trust, const Trust& witnesses,
                          const std::vector<std::vector<MapBreak>>& breaks, const ForEach& forEach);
 
 }  // namespace roomgraph
