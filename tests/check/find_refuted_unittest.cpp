@@ -16,7 +16,7 @@ class FindRefuted : public testing::Test {
   }
 
   /** What the last run has welded, of which this error was reported, if it lies at `poses`. */
-  WeldedKeyFrames asked(double error, const std::vector<Transform2D>& poses) {
+  WeldedKeyFrames asked(double error, const std::vector<Transform2D>& poses, double high = 0) {
     Site site;
     Consensus consensus;
     for (const roomgraph::Run& run : runs_) {
@@ -34,7 +34,7 @@ class FindRefuted : public testing::Test {
     site.runs.push_back(&runs_.back());  // a copy, for which the last one counts
     consensus.graphRuns.push_back(consensus.graphRuns.back());
     consensus.errors = ById<RunId, MapError>(runs_.size());
-    for (MapError& of : consensus.errors) of.error = error;
+    for (MapError& of : consensus.errors) of.error = error, of.high = high;
     const auto refuted = findRefuted(site, consensus, oneByOne);
     EXPECT_FALSE(refuted[0]);
     EXPECT_EQ(refuted[2], refuted[3]);
@@ -57,7 +57,17 @@ TEST_F(FindRefuted, notIfTheConsensusHasPartedWhatItLaidThere) {
   EXPECT_FALSE(asked(0.1, drawnPoses(runs_[0].scans)));
 }
 
-TEST_F(FindRefuted, norIfItsErrorIsLarge) { EXPECT_FALSE(asked(1, drawn())); }
+TEST_F(FindRefuted, norIfItsErrorSaysThatItIsWrong) {
+  EXPECT_FALSE(asked(1, drawn(), 1.1));
+  EXPECT_TRUE(asked(1, drawn(), 1.3)) << "it may be apart";
+  EXPECT_FALSE(asked(1.3, drawn(), 2));
+}
+
+TEST_F(FindRefuted, norWithoutOthersToHoldItAgainst) {
+  for (roomgraph::Run& run : runs_)
+    if (&run != &runs_.back()) run.scans.clear();
+  EXPECT_FALSE(asked(0.1, drawn()));
+}
 
 TEST_F(FindRefuted, norIfAllSeeThroughWalls) {
   runs_.front() = runs_.back();

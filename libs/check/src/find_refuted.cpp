@@ -9,24 +9,27 @@ namespace {
 /** What the beams of a run tell where the consensus has its scans, and what it has welded. */
 struct BeamsOfRun {
   BeamsThroughWalls agreed;
-  std::vector<WeldedPlace> welded;  ///< none if its error is large
+  std::vector<WeldedPlace> welded;  ///< none if its error says that it is wrong
 };
 
-BeamsOfRun beamsOf(const Run& run, const std::vector<Transform2D>& agreed, double error) {
+BeamsOfRun beamsOf(const Run& run, const std::vector<Transform2D>& agreed, const MapError& error) {
   const std::vector<LocalScan> scans = localScans(run.scans);
   BeamsOfRun beams{beamsThroughWalls(scans, agreed), {}};
-  if (error < kBreakShift)
+  const bool mayBeApart = error.high >= kApartShift;
+  if (error.error < (mayBeApart ? kApartShift : kBreakShift))
     beams.welded = findWelded(run, beamsThroughWalls(scans, drawnPoses(run.scans)), beams.agreed);
   return beams;
 }
 
-/** Whether the beams of one run go through clearly more walls than those of all others. */
+/** Whether there are others, and the beams of one run go through clearly more walls than theirs. */
 bool standsOut(RunId one, const ById<RunId, BeamsOfRun>& beams) {
-  for (const RunId other : beams.ids())
-    if (other != one && beams[other].agreed.share() &&
-        !seesThroughMore(beams[other].agreed, beams[one].agreed))
-      return false;
-  return true;
+  bool hasOthers = false;
+  for (const RunId other : beams.ids()) {
+    if (other == one || !beams[other].agreed.share()) continue;
+    if (!seesThroughMore(beams[other].agreed, beams[one].agreed)) return false;
+    hasOthers = true;
+  }
+  return hasOthers;
 }
 
 }  // namespace
@@ -38,7 +41,7 @@ std::vector<WeldedKeyFrames> findRefuted(const Site& site, const Consensus& cons
     const std::size_t siteRun = consensus.siteRuns[RunId(i)];
     const Run& run = *site.runs[siteRun];
     if (!run.scans.empty())
-      beams[RunId(i)] = beamsOf(run, consensus.posesOf(siteRun), consensus.errorOf(siteRun).error);
+      beams[RunId(i)] = beamsOf(run, consensus.posesOf(siteRun), consensus.errorOf(siteRun));
   });
   std::vector<WeldedKeyFrames> refuted(site.runs.size());
   for (std::size_t i = 0; i < refuted.size(); ++i) {
