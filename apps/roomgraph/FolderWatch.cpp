@@ -1,5 +1,6 @@
 #include "FolderWatch.h"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <sys/inotify.h>
 #include <unistd.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 
@@ -37,9 +39,19 @@ bool hasExtensionOf(const std::string& name, bool ofPicture) {
   return false;
 }
 
+/** As far as the system tells: of a file of our own, on a local disk. */
+bool isBeingWritten(const std::string& file) {
+  const int opened = open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (opened < 0) return false;
+  const bool is = fcntl(opened, F_SETLEASE, F_RDLCK) != 0 && errno == EAGAIN;
+  close(opened);
+  return is;
+}
+
 }  // namespace
 
 FolderWatch::FolderWatch(const std::string& folder) : folder_(folder) {
+  std::signal(SIGIO, SIG_IGN);  // from a writer that comes while isBeingWritten() asks
   inotify_ = inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
   if (inotify_ < 0 || inotify_add_watch(inotify_, folder.c_str(),
                                         kWhole | kAway | IN_CREATE | IN_MODIFY | IN_DELETE_SELF |
@@ -62,7 +74,7 @@ void FolderWatch::listAll() {
   std::error_code error;
   for (fs::directory_iterator at(folder_, error), end; at != end && !error; at.increment(error)) {
     const std::string name = at->path().filename().string(), map = mapOf(name);
-    if (map.empty()) continue;
+    if (map.empty() || isBeingWritten(at->path().string())) continue;  // its end is an event
     std::error_code ignored;
     if (now - fs::last_write_time(at->path(), ignored) > kSettle)
       listed_.insert(map);

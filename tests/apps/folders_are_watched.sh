@@ -64,13 +64,22 @@ kill -KILL $watcher
 wait $watcher 2> /dev/null || true
 rm in/bad.gridmap.gz
 cp "$maps/office.gridmap.gz" in/four.gridmap.gz
+exec 3> in/five.simplemap.gz
+head -c 9000 "$maps/office.simplemap.gz" >&3
 touch -d '1 hour ago' in/*
 : > lines
-start
+start 3>&-
 has_lines 1
 [ "$(field file)" = in/four.gridmap.gz ] || fail "not only what is new"
+# Nor is half a map that somebody is writing at the start.
+sleep 1
+[ "$(wc -l < lines)" -eq 1 ] || fail "half a map is judged at the start"
+tail -c +9001 "$maps/office.simplemap.gz" >&3
+exec 3>&-
+has_lines 2
+[ "$(field file)" = in/five.simplemap.gz ] && [ "$(field error)" = None ] || fail "not judged when whole"
 expect 0 "$roomgraph" archive site.db list
-[ "$(grep -c anna out)" = 6 ] || { cat out >&2; fail "not six runs in the archive"; }
+[ "$(grep -c anna out)" = 7 ] || { cat out >&2; fail "not seven runs in the archive"; }
 
 # It ends by the signal that it gets, and with its folder.
 kill -TERM $watcher
@@ -84,14 +93,14 @@ cp site.db kept.db
 start
 sleep 1
 printf 'this is no archive' > site.db
-cp "$maps/office_run3.simplemap.gz" in/five.simplemap.gz
+cp "$maps/office_run3.simplemap.gz" in/six.simplemap.gz
 code=0
 wait $watcher || code=$?
 watcher=
 [ $code -eq 1 ] || fail "ends with $code where its archive is broken"
 [ ! -s lines ] || fail "blames the map for the archive"
 tail -1 errors | grep -q 'site.db: ' || fail "does not name the archive"
-cp kept.db site.db && rm -f site.db-wal site.db-shm in/five.simplemap.gz
+cp kept.db site.db && rm -f site.db-wal site.db-shm in/six.simplemap.gz
 : > lines
 start
 sleep 1
