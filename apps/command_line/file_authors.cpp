@@ -116,7 +116,7 @@ bool isMapOrArchive(const std::string& file) {
 
 bool isOurs(const std::string& file) {
   const auto isOf = [&file](const auto&... kinds) { return (endsWith(file, kinds) || ...); };
-  if (isOf(".yaml", ".yml", ".tum", ".g2o")) return hasAuthorLine(file);
+  if (isOf(".yaml", ".yml", ".tum", ".g2o", ".ini")) return hasAuthorLine(file);
   if (isOf(".png")) return holds(storedHead(file), std::string("Software") + '\0' + kPngSoftware);
   if (isOf(".pgm")) return isOurPgm(file);
   if (isOf(".gridmap", ".gridmap.gz", ".rawlog")) return holds(storedHead(file), kGzipMark);

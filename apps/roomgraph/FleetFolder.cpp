@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "file_authors.h"
 #include "roomgraph/base/InputFile.h"
 #include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/write_file.h"
@@ -20,7 +21,7 @@ void FleetFolder::write(const std::vector<FleetTask>& tasks, const CompareMapsOp
   makeWritableFolder((folder_ / "results").string());
   CompareMapsOptions written = options;
   StagedFiles staged;
-  staged.add(optionsFile().string(), toIni(describe(written)));
+  staged.add(optionsFile().string(), withAuthor(toIni(describe(written))));
   staged.add(taskFile().string(), taskLines(tasks));
   staged.add(this->failures().string(), linesOf(failures));
   staged.commit();

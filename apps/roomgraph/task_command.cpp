@@ -35,9 +35,13 @@ bool keep(const FleetFolder& fleet, const FleetTask& task, const TaskResult& res
   return false;
 }
 
+/** Whether there is a comparison, which a crash of the disk has not cut. */
+bool isWhole(const std::filesystem::path& file) {
+  return orNothing([&] { return !readComparison(file.string()).runs.empty(); });
+}
+
 bool isDone(const FleetFolder& fleet, const FleetTask& task, const CompareMapsOptions& options) {
-  std::error_code error;
-  if (std::filesystem::exists(fleet.resultOf(task), error)) return true;
+  if (isWhole(fleet.resultOf(task))) return true;
   makeWritableFolder(fleet.resultOf(task).parent_path().string());
   try {
     return keep(fleet, task, doTask(task, options));

@@ -41,6 +41,21 @@ expect 1 "$roomgraph" task serial 1 40
 [ "$(find serial/results -name comparison.json -newermt 2001-01-02 | wc -l)" = 0 ] || fail "done twice"
 expect 1 "$roomgraph" collect serial --archive serial.db
 runs serial.db | cmp - serial.runs
+# But a result that was cut since is.
+result=$(find serial/results -name comparison.json | sort | head -1)
+cp "$result" whole.json
+head -c 300 whole.json > "$result"
+expect 1 "$roomgraph" task serial 1 40
+cmp "$result" whole.json || fail "a result that was cut stays so"
+# Options of one's own are not replaced.
+mkdir own
+"$roomgraph" config > own/options.ini
+cp own/options.ini own.ini
+for config in "" "--config own/options.ini"; do
+  expect 2 "$roomgraph" plan list.csv --archive own.db -o own $config
+  one_line err "own/options.ini: would replace a file"
+  cmp own/options.ini own.ini
+done
 
 # The next night: one new run is one task, for its site alone, and the map that was mended another.
 { printf 'P5\n# site 3 night 4\n'; rooms room.pgm 163 34; tail -n +2 room.pgm; } > maps/s3-4.pgm
