@@ -181,7 +181,11 @@ void checkOutput(const std::string& file, const std::vector<WatchedSite>& sites,
  */
 bool tellFaults(const std::vector<WatchedSite>& sites, const ArchiveArguments& arguments) {
   bool isAnyWrong = false;
-  for (const WatchedSite& site : sites)
+  for (const WatchedSite& site : sites) {
+    if (site.history.runs.empty() && (arguments.failsOnAlarm || arguments.failsOnLatest)) {
+      printError(printable(site.history.site) + ": has no runs, so none can be judged");
+      isAnyWrong = true;
+    }
     for (const RobotWatch& robot : site.watch.robots) {
       const bool isAlarm = arguments.failsOnAlarm && robot.isAlarm();
       const bool isKept = arguments.failsOnLatest && robot.rollout == Rollout::no;
@@ -192,6 +196,7 @@ bool tellFaults(const std::vector<WatchedSite>& sites, const ArchiveArguments& a
                  printable(text));
       isAnyWrong = true;
     }
+  }
   return isAnyWrong;
 }
 
@@ -202,7 +207,8 @@ int report(const ArchiveArguments& arguments) {
     for (const WatchedSite& site : sites) print(historyText(site));
   if (!arguments.page.empty())
     writeFileAtomically(arguments.page, historyPage(sites, arguments.watch));
-  return tellFaults(sites, arguments) ? kGateFailed : kDone;
+  const bool isEmpty = sites.empty() && (arguments.failsOnAlarm || arguments.failsOnLatest);
+  return tellFaults(sites, arguments) || isEmpty ? kGateFailed : kDone;
 }
 
 int exportAll(const ArchiveArguments& arguments) {

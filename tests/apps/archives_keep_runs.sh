@@ -135,6 +135,13 @@ expect 3 "$roomgraph" archive bad.db report --fail-on-alarm -q
 one_line err 'anna: its latest maps are above the limit'
 expect 0 "$roomgraph" archive bad.db report --fail-on-alarm --limit 3
 expect 2 "$roomgraph" archive bad.db report --fail-on-alarm --limit nan
+# So is an archive that has lost its runs.
+cp site.db none.db
+sqlite3 none.db "DELETE FROM run"
+for asked in --fail-on-alarm --fail-on-latest; do
+  expect 3 "$roomgraph" archive none.db report $asked -q
+  one_line err 'site: has no runs'
+done
 
 # A run that should not be there is taken out, and a robot gets another name.
 cp site.db less.db

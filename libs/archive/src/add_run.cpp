@@ -95,7 +95,11 @@ AddedRun addRun(Archive& archive, const std::string& file, const AddRunOptions& 
   } while (result.isOutdated);
   if (result.runs == 0 && !archive.knows(options.site, sha256))
     throw DataError(added + ": was changed while it was added: add it again");
-  return resultOf(addition, added, result);
+  AddedRun told = resultOf(addition, added, result);
+  for (const HistoryRun& run : archive.runs(options.site))
+    if (run.sha256 == sha256 && !run.isPlaced)  // the site is that of other runs
+      told.isPlaced = false, told.score.reset(), told.reason = run.reason;
+  return told;
 }
 
 }  // namespace roomgraph
