@@ -6,6 +6,8 @@ import logging
 from collections.abc import Mapping as AnyMapping
 from typing import Callable, Mapping, Optional, Union
 
+import numpy as np
+
 from . import _core
 
 Options = Mapping[str, Union[str, int, float, bool]]
@@ -25,10 +27,10 @@ def new_call(
         raise _core.UsageError(f"the options are {options!r}: give a dict")
     if not isinstance(preset, str):
         raise _core.UsageError(f"the preset is {preset!r}: give a str")
-    if not isinstance(threads, int) or threads < 0:
+    if not isinstance(threads, (int, np.integer)) or not 0 <= threads < 2**31:
         raise _core.UsageError(f"threads is {threads!r}: give 0, for one per core, or more")
     settings = [(str(name), _text_of(value)) for name, value in (options or {}).items()]
-    return _core.Call(preset, settings, threads, _tell, progress)
+    return _core.Call(preset, settings, int(threads), _tell, progress)
 
 
 def _text_of(value: Union[str, int, float, bool]) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import os
 import struct
+from collections.abc import Iterable as AnyIterable
 from dataclasses import dataclass
 from typing import Any, Iterable, List, Tuple, Union
 
@@ -32,7 +33,7 @@ class GridMap:
     name: str = "array"
 
     def _to_core(self) -> _core.ArrayMap:
-        if not isinstance(self.name, str):
+        if not isinstance(self.name, str) or not _is_text(self.name):
             raise _core.UsageError(f"the name of a map is {self.name!r}: give a str")
         grey = np.ascontiguousarray(_grey_of(self.cells, self.name))
         resolution = number(self.resolution, f"{self.name}: its resolution")
@@ -62,6 +63,8 @@ def all_to_core(given: Iterable[MapLike]) -> List[Union[bytes, _core.ArrayMap]]:
     """The same of several maps."""
     if isinstance(given, (str, bytes, os.PathLike, GridMap)):
         raise _core.UsageError(f"{given!r} is one map: give a list of maps")
+    if not isinstance(given, AnyIterable):
+        raise _core.UsageError(f"{given!r} is no list of maps")
     return [to_core(map) for map in given]
 
 
@@ -70,6 +73,15 @@ def number(given: Any, what: str) -> float:
     if isinstance(given, (int, float, np.integer, np.floating)):
         return float(given)
     raise _core.UsageError(f"{what} is {given!r}, and no number")
+
+
+def _is_text(name: str) -> bool:
+    """Not so are file names that are no UTF-8, as Python decodes them."""
+    try:
+        name.encode()
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 def _shape_of(grey: np.ndarray) -> Tuple[int, int]:

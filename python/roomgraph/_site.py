@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Iterable, List, NamedTuple, Optional
+from typing import Any, Iterable, List, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 
@@ -86,7 +86,7 @@ def repair(
 
 
 def carry(
-    places: Iterable[Place],
+    places: Iterable[Union[Tuple[str, float, float], Tuple[str, float, float, float]]],
     old: MapLike,
     new: MapLike,
     *,

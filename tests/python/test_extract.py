@@ -126,9 +126,12 @@ def test_wrong_arguments_are_value_errors(maps):
     for wrong in ({"preset": None}, {"options": [1]}):
         with pytest.raises(roomgraph.UsageError):
             roomgraph.extract(office, **wrong)
-    for wrong in ({"maps": office}, {"maps": [3]}, {"maps": [office], "threads": -1}):
+    many = {"maps": [office], "threads": 2**40}
+    for wrong in ({"maps": office}, {"maps": 5}, {"maps": [3]}, {"maps": [office], "threads": -1}, many):
         with pytest.raises(roomgraph.UsageError):
             roomgraph.compare(**wrong)
+    with pytest.raises(roomgraph.UsageError, match="name"):
+        roomgraph.extract(roomgraph.GridMap(np.zeros((4, 4)), 0.05, name="\udcff"))
     with pytest.raises(roomgraph.UsageError, match="give roomgraph.GridMap"):
         roomgraph.extract(np.zeros((4, 4)))
 
