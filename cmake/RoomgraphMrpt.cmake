@@ -44,7 +44,7 @@ macro(roomgraph_need_mrpt part)
   roomgraph_find_mrpt(${part})
   if(NOT roomgraph_mrpt_${part})
     message(FATAL_ERROR "There is no package ${roomgraph_mrpt_name} of MRPT ${roomgraph_mrpt_major}: "
-      "install it (of MRPT 2, Debian has lib${roomgraph_mrpt_name}-dev), or choose the other "
+      "install it (Debian has MRPT 2's as libmrpt-*-dev), or choose the other "
       "version with -DROOMGRAPH_MRPT=2 or 3")
   endif()
 endmacro()

@@ -84,15 +84,17 @@ void checkScreenshot(const Arguments& arguments) {
     throw UsageError(arguments.screenshot + ": must end in .png");
 }
 
-/** MRPT holds blue, green and red, row by row from the top. */
+/** Row by row from the top. */
 std::string pngOf(const mrpt::img::CImage& picture) {
+  const std::size_t red = picture.getChannelsOrder() == "BGR" ? 2 : 0;  // MRPT 2, and 3
   const auto width = std::size_t(picture.getWidth()), height = std::size_t(picture.getHeight());
   std::vector<std::uint32_t> pixels;
   pixels.reserve(width * height);
   for (std::size_t y = 0; y < height; ++y) {
     const auto* row = picture.ptrLine<std::uint8_t>(unsigned(y));
     for (std::size_t x = 0; x < width; ++x)
-      pixels.push_back(std::uint32_t(row[3 * x + 2] << 16 | row[3 * x + 1] << 8 | row[3 * x]));
+      pixels.push_back(
+          std::uint32_t(row[3 * x + red] << 16 | row[3 * x + 1] << 8 | row[3 * x + 2 - red]));
   }
   return pngBytes(reinterpret_cast<const unsigned char*>(pixels.data()), int(width), int(height),
                   int(4 * width));
