@@ -50,6 +50,8 @@ int run(const ScoreArguments& arguments) {
   const LabelMap labels = readLabels(arguments.labels), truth = readLabels(arguments.truth);
   refuseMap(labels, truth);
   refuseMap(truth, labels);
+  if (std::all_of(truth.label.begin(), truth.label.end(), [](std::uint32_t l) { return l == 0; }))
+    throw DataError(truth.source.file + ": has no room: all of it is black");
   const RoomScore score = scoreRooms(labels, truth);
   print(arguments.isJson ? roomScoreJson(score) : roomScoreText(score));
   return kDone;

@@ -18,6 +18,11 @@ TEST(RunNames, filesOfOneNameAreToldApartByTheirFolders) {
             (Names{"mon/run", "tue/run", "other"}));
 }
 
+TEST(RunNames, filesOfOneMapAreToldApartByTheirExtensions) {
+  EXPECT_EQ(runNames({"maps/office.yaml", "maps/office.gridmap.gz", "maps/hall.yaml"}),
+            (Names{"office.yaml", "office.gridmap.gz", "hall"}));
+}
+
 TEST(RunNames, whereThatDoesNotHelpTheWholeFileIsTheName) {
   EXPECT_EQ(runNames({"a/mon/run.yaml", "b/mon/run.yaml", "tue/run.yaml"}),
             (Names{"a/mon/run.yaml", "b/mon/run.yaml", "tue/run"}));

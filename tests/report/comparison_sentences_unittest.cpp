@@ -65,6 +65,8 @@ TEST(ComparisonSentences, unsurePairsAreNamedAndStayBelowTheLimit) {
             "1 pair was aligned with a confidence below 0.9: check a on c (0.89).");
   comparison.pairs[1].isSameSite = false;
   EXPECT_EQ(doubtSentence(comparison), "") << "of another site";
+  comparison.pairs[1].isSameSite = true, comparison.pairs[1].b = "left out";
+  EXPECT_EQ(doubtSentence(comparison), "") << "another site, compared by itself";
 }
 
 TEST(ComparisonSentences, aGateSaysByHowMuchItPassesOrWhyItFails) {

@@ -101,8 +101,8 @@ bool isAlmostAlone(const Comparison& comparison) {
 std::vector<std::string> doubtsAbout(const ComparedRun& best, const Comparison& comparison) {
   std::vector<std::string> doubts;
   if (const auto coverage = best.partialCoverage())
-    doubts.push_back(
-        formatted("has seen only %.0f %% of what at least two runs have seen", 100 * *coverage));
+    doubts.push_back(formatted("has seen only %.0f %% of what at least two runs have seen",
+                               100 * rounded(*coverage)));
   if (comparison.isPlaceDoubtful(best.name))
     doubts.push_back("has no reliable alignment to most of the others");
   if (const Measure* added = best.addedWalls())

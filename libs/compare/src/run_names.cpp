@@ -6,6 +6,7 @@
 #include <set>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/utf8_text.h"
 #include "roomgraph/map_files/map_formats.h"
@@ -36,16 +37,19 @@ std::vector<std::string> runNames(const std::vector<std::string>& files) {
   std::vector<std::string> different = files;
   std::sort(different.begin(), different.end());
   different.erase(std::unique(different.begin(), different.end()), different.end());
-  std::vector<std::string> stems, longer;
+  // The shortest that tells all files apart: with their extensions, or with their folders.
+  std::vector<std::vector<std::string>> choices(3);
   for (const std::string& file : different) {
-    stems.push_back(mapStem(file));
-    longer.push_back(withFolder(file));
+    choices[0].push_back(mapStem(file));
+    choices[1].push_back(fileName(file));
+    choices[2].push_back(withFolder(file));
   }
   std::set<std::string> taken;
   std::map<std::string, std::string> nameOf;
   for (std::size_t i = 0; i < different.size(); ++i) {
-    const bool isShort = isUnique(stems, stems[i]), isLong = isUnique(longer, longer[i]);
-    const std::string& name = isShort ? stems[i] : isLong ? longer[i] : different[i];
+    std::string name = different[i];
+    for (std::size_t k = choices.size(); k-- > 0;)
+      if (isUnique(choices[k], choices[k][i])) name = choices[k][i];
     nameOf[different[i]] = firstFree(utf8Text(name), taken);
   }
   std::vector<std::string> names;

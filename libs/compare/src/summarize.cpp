@@ -180,7 +180,9 @@ std::string caveatsOf(const std::vector<Run>& runs, const Findings& found,
     for (const auto& other : site.others) sites.push_back(namesOf(runs, other));
     text += otherSitesNote(sites);
   }
+  const bool areCopies = DistinctMaps(bendsOf(found.pairs)).areCopies();  // which says it all
   for (const std::vector<std::size_t>& drive : drives) {
+    if (areCopies) break;
     const auto members = mapped(drive, [&](std::size_t run) { return site.members[run]; });
     text += sharedDriveNote(namesOf(runs, members), site.runs.size());
   }

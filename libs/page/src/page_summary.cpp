@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "page_data.h"
 #include "roomgraph/base/file_name.h"
@@ -50,15 +49,6 @@ std::string goneSentence(const Comparison& comparison) {
   if (names.empty()) return "";
   return counted(names.size(), "room is", "rooms are") +
          " missing where a run has looked: " + listed(names, kMostNames) + ".";
-}
-
-/** Not those with a run that is left out. */
-std::size_t pairsOfSite(const Comparison& comparison) {
-  std::set<std::string> names;
-  for (const ComparedRun& run : comparison.runs) names.insert(run.name);
-  return std::size_t(std::count_if(
-      comparison.pairs.begin(), comparison.pairs.end(),
-      [&](const ComparedPair& pair) { return names.count(pair.a) && names.count(pair.b); }));
 }
 
 // As docs/scoring.md has them [m].
@@ -133,8 +123,11 @@ std::string pageVerdict(const Comparison& comparison) {
 }
 
 std::string pageCounts(const Comparison& comparison) {
+  const auto pairs = std::size_t(
+      std::count_if(comparison.pairs.begin(), comparison.pairs.end(),
+                    [&](const ComparedPair& pair) { return comparison.hasBoth(pair); }));
   std::string text = counted(comparison.runs.size(), "run", "runs") + " of one site, " +
-                     counted(pairsOfSite(comparison), "pair", "pairs");
+                     counted(pairs, "pair", "pairs");
   if (!comparison.rooms.empty())
     text += ", " + counted(comparison.rooms.size(), "room", "rooms and corridors");
   return text;

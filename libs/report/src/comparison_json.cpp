@@ -197,7 +197,7 @@ std::string comparisonText(const Comparison& comparison) {
     const double seen = rounded(valueOf(run.measures, "coverage").value_or(-1));
     std::string name = printable(run.name);
     name.resize(width, ' ');
-    const std::string share = seen >= 0 ? std::to_string(std::lround(100 * seen)) + " %" : "-";
+    const std::string share = seen >= 0 ? formatted("%.0f %%", 100 * seen) : "-";
     const std::string certainty = run.name == comparison.reference
                                       ? ""
                                       : std::string("  ") + nameOf(comparison.certaintyOf(run));

@@ -73,7 +73,7 @@ std::string refutedSentence(const Comparison& comparison) {
 std::string doubtSentence(const Comparison& comparison) {
   std::vector<std::string> names;
   for (const ComparedPair& pair : comparison.pairs)
-    if (pair.isSameSite && pair.confidence < kSureConfidence)
+    if (comparison.hasBoth(pair) && pair.isSameSite && pair.confidence < kSureConfidence)
       names.push_back(pair.a + " on " + pair.b + " (" + unsureText(pair.confidence) + ")");
   if (names.empty()) return "";
   return counted(names.size(), "pair was", "pairs were") + " aligned with a confidence below " +
