@@ -180,9 +180,11 @@ void checkOutput(const std::string& file, const std::vector<WatchedSite>& sites,
 /** One line on stderr for each robot whose maps are not as they should be; whether there is one.
  */
 bool tellFaults(const std::vector<WatchedSite>& sites, const ArchiveArguments& arguments) {
-  bool isAnyWrong = false;
+  const bool isAsked = arguments.failsOnAlarm || arguments.failsOnLatest;
+  bool isAnyWrong = isAsked && sites.empty();
+  if (isAnyWrong) printError(arguments.archive + ": has no runs, so none can be judged");
   for (const WatchedSite& site : sites) {
-    if (site.history.runs.empty() && (arguments.failsOnAlarm || arguments.failsOnLatest)) {
+    if (isAsked && site.history.runs.empty()) {
       printError(printable(site.history.site) + ": has no runs, so none can be judged");
       isAnyWrong = true;
     }
@@ -207,8 +209,7 @@ int report(const ArchiveArguments& arguments) {
     for (const WatchedSite& site : sites) print(historyText(site));
   if (!arguments.page.empty())
     writeFileAtomically(arguments.page, historyPage(sites, arguments.watch));
-  const bool isEmpty = sites.empty() && (arguments.failsOnAlarm || arguments.failsOnLatest);
-  return tellFaults(sites, arguments) || isEmpty ? kGateFailed : kDone;
+  return tellFaults(sites, arguments) ? kGateFailed : kDone;
 }
 
 int exportAll(const ArchiveArguments& arguments) {

@@ -142,6 +142,9 @@ for asked in --fail-on-alarm --fail-on-latest; do
   expect 3 "$roomgraph" archive none.db report $asked -q
   one_line err 'site: has no runs'
 done
+sqlite3 none.db "DELETE FROM site"
+expect 3 "$roomgraph" archive none.db report --fail-on-alarm -q
+one_line err 'none.db: has no runs'
 
 # A run that should not be there is taken out, and a robot gets another name.
 cp site.db less.db
