@@ -1,14 +1,17 @@
 #include "FolderWatch.h"
 
 #include <fcntl.h>
+#include <linux/magic.h>
 #include <poll.h>
 #include <sys/inotify.h>
+#include <sys/vfs.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 
@@ -39,11 +42,20 @@ bool hasExtensionOf(const std::string& name, bool ofPicture) {
   return false;
 }
 
+/** Where leases say nothing of writers. */
+bool isOnNetwork(int file) {
+  struct statfs disk {};
+  if (fstatfs(file, &disk) != 0) return true;
+  const auto type = std::uint32_t(disk.f_type);
+  return type == NFS_SUPER_MAGIC || type == CIFS_SUPER_MAGIC || type == SMB2_SUPER_MAGIC;
+}
+
 /** As far as the system tells: of a file of our own, on a local disk. */
 bool isBeingWritten(const std::string& file) {
   const int opened = open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (opened < 0) return false;
-  const bool is = fcntl(opened, F_SETLEASE, F_RDLCK) != 0 && errno == EAGAIN;
+  const bool is =
+      !isOnNetwork(opened) && fcntl(opened, F_SETLEASE, F_RDLCK) != 0 && errno == EAGAIN;
   close(opened);
   return is;
 }
