@@ -85,7 +85,6 @@ void apply(const OptionArguments& arguments, ExtractOptions& options, FieldTable
     known.set("find_rooms", "alpha_px2", "0");
   }
   if (arguments.alphaPx2) known.set("find_rooms", "alpha_px2", *arguments.alphaPx2);
-  if (arguments.allComponents) known.set("keep_components", "which", "all");
   if (arguments.robotWidth) known.set("room_graph", "robot_width", *arguments.robotWidth);
   options.loadGrid.isResolutionGiven = !std::isnan(options.loadGrid.resolution);
   if (!options.loadGrid.isResolutionGiven) options.loadGrid.resolution = assumed;
@@ -142,9 +141,6 @@ void declareRooms(OptionArguments& arguments, CLI::App& app) {
       addOption(app, "--room-width M", arguments.roomWidth, help("find_rooms", "min_width"));
   addOption(app, "--alpha-px2 A", arguments.alphaPx2, help("find_rooms", "alpha_px2"))
       ->excludes(width);
-  app.add_flag("--all-components", arguments.allComponents,
-               "Also keep unconnected parts of the graph that lead into no further room, from "
-               "keep_components.min_length up (sets keep_components.which).");
   addOption(app, "--robot-width M", arguments.robotWidth, help("room_graph", "robot_width"));
 }
 

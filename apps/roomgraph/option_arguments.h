@@ -21,7 +21,6 @@ struct OptionArguments {
   std::optional<std::string> resolution, roomWidth, alphaPx2, robotWidth;
   std::vector<std::string> slice;  ///< empty, or low and high
   std::string layer;               ///< of a metric map
-  bool allComponents = false;
 };
 
 /** Puts the options that `declare` adds under a heading of their own in the help. */
@@ -33,7 +32,7 @@ void declareConfig(OptionArguments& arguments, CLI::App& app);
 void declareReading(OptionArguments& arguments, CLI::App& app);
 /** Declares both. */
 void declareOptions(OptionArguments& arguments, CLI::App& app);
-/** Declares --room-width, --alpha-px2, --all-components and --robot-width. */
+/** Declares --room-width, --alpha-px2 and --robot-width. */
 void declareRooms(OptionArguments& arguments, CLI::App& app);
 
 /** The files that a call reads: its maps, and first its options. */

@@ -2,7 +2,7 @@
 . "$(dirname "$0")/common.sh"
 rooms a.pgm
 expect 0 "$roomgraph" extract a.pgm -o one --format json --room-width 2.5 --resolution 0.04 \
-  --set dead_ends.min_reach=0.45 --all-components
+  --set dead_ends.min_reach=0.45 --set keep_components.only_largest=true
 expect 0 "$roomgraph" extract a.pgm -o two --format json --config one/a.json
 cmp one/a.json two/a.json
 expect 0 "$roomgraph" extract a.pgm -o three --format json

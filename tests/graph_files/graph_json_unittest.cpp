@@ -142,7 +142,7 @@ TEST(GraphJson, holdsEveryOptionWithItsType) {
   std::size_t count = 0;
   for (const auto& section : json["options"]) count += section.size();
   EXPECT_EQ(count, table.fields().size());
-  EXPECT_TRUE(json["options"]["keep_components"]["which"].is_string());
+  EXPECT_TRUE(json["options"]["keep_components"]["only_largest"].is_boolean());
   EXPECT_TRUE(json["options"]["thin_obstacles"]["neighbours"].is_string());
 }
 

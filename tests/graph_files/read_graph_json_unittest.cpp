@@ -66,14 +66,14 @@ TEST(ReadGraphJson, areasAndPassagesAreAlwaysThere) {
 TEST(ReadGraphJson, givesTheOptionsBackAsAnIniFile) {
   Stages stages = sampleStages();
   stages.options.findRooms.minWidth = 2.25;
-  stages.options.keepComponents.which = "all";
+  stages.options.keepComponents.onlyLargest = true;
   stages.options.thinObstacles.neighbours = "4";
   const GraphFile file = parseGraphJson(graphJson(stages), "x.json");
   ExtractOptions options;
   FieldTable table = describe(options);
   fromIni(optionsIni(file), "x.json", table);
   EXPECT_EQ(options.findRooms.minWidth, 2.25);
-  EXPECT_EQ(options.keepComponents.which, "all");
+  EXPECT_TRUE(options.keepComponents.onlyLargest);
   EXPECT_EQ(options.thinObstacles.neighbours, "4");
   FieldTable written = describe(stages.options);
   EXPECT_EQ(toIni(table), toIni(written));

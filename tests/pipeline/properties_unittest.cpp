@@ -48,8 +48,8 @@ void failOn(const std::vector<std::string>& broken, const MapText& map) {
 TEST(AnyMap, keepsThePromisesOfEveryStep) {
   checkOnMaps("promises", 300, [](const MapText& map) {
     ExtractOptions options;
-    for (const char* which : {"largest", "with_rooms", "all"}) {
-      options.keepComponents.which = which;
+    for (const bool onlyLargest : {true, false}) {
+      options.keepComponents.onlyLargest = onlyLargest;
       failOn(brokenPromises(extract(greyMap(map), options)), map);
     }
   });
@@ -59,7 +59,6 @@ TEST(AnyMap, keepsThePromisesWithSmallRooms) {
   checkOnMaps("promises with small rooms", 200, [](const MapText& map) {
     ExtractOptions options;
     options.findRooms.minWidth = 0.7;
-    options.keepComponents.which = "all";
     failOn(brokenPromises(extract(greyMap(map), options)), map);
   });
 }

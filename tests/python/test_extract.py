@@ -87,10 +87,10 @@ def test_becomes_a_graph_of_networkx():
 
 def test_options_are_those_of_the_program(maps):
     graph = roomgraph.extract(
-        maps / "office.png", options={"load_grid.resolution": 0.1, "keep_components.which": "all"}
+        maps / "office.png", options={"load_grid.resolution": 0.1, "keep_components.only_largest": True}
     )
     assert graph.resolution == 0.1
-    assert graph.data["options"]["keep_components"]["which"] == "all"
+    assert graph.data["options"]["keep_components"]["only_largest"] is True
     paper = roomgraph.extract(drawn_flat(), preset="paper")
     assert paper.data["options"] != roomgraph.extract(drawn_flat()).data["options"]
 

@@ -135,7 +135,7 @@ TEST(AreaGraph, areasAndPassagesKnowEachOther) {
 TEST(AreaGraph, aRoomThatTheGraphDoesNotReachHasNoLabel) {
   const MapText map = roomsOnACorridor();
   ExtractOptions options;
-  options.keepComponents.which = "largest";
+  options.keepComponents.onlyLargest = true;
   const Stages stages = extract(greyMap(map), options);
   EXPECT_EQ(labelAt(stages, map.names.at('C')), 0);
   EXPECT_EQ(labelAt(stages, map.names.at('D')), 3);

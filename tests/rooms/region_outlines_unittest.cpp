@@ -31,6 +31,22 @@ TEST(RegionOutlines, haveAShapeForEachRegion) {
   }
 }
 
+TEST(RegionOutlines, corridorsAreWorthAWayFromTheMiddleOfTheRoomsUp) {
+  const auto square = [](double side) {
+    Room room;
+    room.polygon.outer = {{0, 0}, {side, 0}, {side, side}, {0, side}};
+    return room;
+  };
+  RegionOutlines outlines;
+  outlines.regions = {square(4), square(3), square(2), square(3), square(2.9), square(5)};
+  outlines.roomCount = 3, outlines.seenCount = 5;
+  const Rooms worth = outlines.worthAWay();
+  ASSERT_EQ(worth.size(), 4u);
+  EXPECT_EQ(area(worth.back().polygon), 9);
+  outlines.roomCount = 0;
+  EXPECT_TRUE(outlines.worthAWay().empty()) << "without rooms, the largest part alone is kept";
+}
+
 TEST(RegionOutlines, theBorderOfTwoRoomsIsTheirDoor) {
   const RegionOutlines outlines = twoRooms().outlines;
   std::vector<RegionBorder> doors;

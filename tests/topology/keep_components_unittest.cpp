@@ -15,43 +15,34 @@ TopologyGraph threeLines() {
 
 RoomId nowhere(Point) { return RoomId::none(); }
 
-TopologyGraph kept(const std::string& which, const RoomAt& roomAt, Notes& notes) {
-  return keepComponents(threeLines(), roomAt, {which, 1}, notes);
+TopologyGraph kept(bool onlyLargest, const RegionAt& regionAt, Notes& notes) {
+  return keepComponents(threeLines(), regionAt, {onlyLargest}, notes);
 }
 
 TEST(KeepComponents, keepsTheLongestAndTellsOfTheOthers) {
-  for (const char* which : {"largest", "with_rooms"}) {
+  for (const bool onlyLargest : {true, false}) {
     Notes notes;
-    const TopologyGraph graph = kept(which, nowhere, notes);
+    const TopologyGraph graph = kept(onlyLargest, nowhere, notes);
     ASSERT_EQ(graph.edges().size(), 1u);
     EXPECT_DOUBLE_EQ(graph.edges()[0].path.length, 5);
     ASSERT_EQ(notes.size(), 1u);
     EXPECT_EQ(notes[0].code, "component_dropped");
-    EXPECT_NE(notes[0].text.find("2 unconnected parts"), std::string::npos);
+    EXPECT_NE(notes[0].text.find("2 parts"), std::string::npos);
     EXPECT_NE(notes[0].text.find("2.5 m"), std::string::npos);
     ASSERT_TRUE(notes[0].where);
     EXPECT_EQ((*notes[0].where)[1], 0);
   }
 }
 
-TEST(KeepComponents, keepsThoseThatLeadIntoFurtherRooms) {
+TEST(KeepComponents, keepsThoseThatLeadIntoFurtherRegions) {
   Notes notes;
-  const RoomAt ofEachLine = [](Point place) { return RoomId(std::size_t(place.y)); };
-  EXPECT_EQ(kept("with_rooms", ofEachLine, notes).edges().size(), 3u);
+  const RegionAt ofEachLine = [](Point place) { return RoomId(std::size_t(place.y)); };
+  EXPECT_EQ(kept(false, ofEachLine, notes).edges().size(), 3u);
   EXPECT_TRUE(notes.empty());
-  EXPECT_EQ(kept("largest", ofEachLine, notes).edges().size(), 1u);
-  // The longest line and the shortest one lead into one room.
-  const RoomAt one = [](Point place) { return place.y == 0 ? RoomId::none() : RoomId(7); };
-  EXPECT_EQ(kept("with_rooms", one, notes).edges().size(), 1u);
-}
-
-TEST(KeepComponents, keepsAllFromTheLimitUp) {
-  Notes notes;
-  EXPECT_EQ(kept("all", nowhere, notes).edges().size(), 2u);
-  EXPECT_EQ(notes.size(), 1u);
-  notes.clear();
-  EXPECT_EQ(keepComponents(threeLines(), nowhere, {"all", 0}, notes).edges().size(), 3u);
-  EXPECT_TRUE(notes.empty());
+  EXPECT_EQ(kept(true, ofEachLine, notes).edges().size(), 1u);
+  // The longest line and the shortest one lead into one region.
+  const RegionAt one = [](Point place) { return place.y == 0 ? RoomId::none() : RoomId(7); };
+  EXPECT_EQ(kept(false, one, notes).edges().size(), 1u);
 }
 
 TEST(KeepComponents, takesTheWidestWhereNoneHasLength) {

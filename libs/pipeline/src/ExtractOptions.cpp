@@ -17,7 +17,7 @@ ExtractOptions paperPreset() {
   options.deadEnds.allOnce = true;
   options.deadEnds.minLengthPx = 8;
   options.joinVertices.maxDistancePx = 4;
-  options.keepComponents.which = "largest";
+  options.keepComponents.onlyLargest = true;
   options.clearClutter.maxSize = 0;
   options.findRooms.alphaPx2 = 250;
   options.shortDeadEnds.minLengthPx = 20;

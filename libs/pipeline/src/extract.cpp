@@ -188,14 +188,14 @@ TopologyGraph passedClutter(TopologyGraph graph, const Stages& s) {
   return passClutter(std::move(graph), isClutter, ObstacleRows(walls), s.options.deadEnds);
 }
 
-/** Those without another room go; where the rooms are is asked only if there are several. */
+/** Where the regions are is asked only if there are several components. */
 TopologyGraph keptComponents(Stages& s) {
-  std::optional<RoomIndex> rooms;
-  const auto roomAt = [&](Point place) {
-    if (!rooms) rooms.emplace(s.outlines.rooms());
-    return rooms->roomAt(place);
+  std::optional<RoomIndex> regions;
+  const auto regionAt = [&](Point place) {
+    if (!regions) regions.emplace(s.outlines.worthAWay());
+    return regions->roomAt(place);
   };
-  return keepComponents(s.joinedUp, roomAt, s.options.keepComponents, s.notes);
+  return keepComponents(s.joinedUp, regionAt, s.options.keepComponents, s.notes);
 }
 
 /** Notes how long each step took that sets a member of some Stages:

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/statistics.h"
 #include "roomgraph/rooms/trace_rooms.h"
 
 namespace roomgraph {
@@ -80,6 +82,15 @@ class FaceCover {
 };
 
 }  // namespace
+
+Rooms RegionOutlines::worthAWay() const {
+  Rooms worth = rooms();
+  if (worth.empty()) return worth;
+  const double usual = median(mapped(worth, [](const Room& room) { return area(room.polygon); }));
+  for (std::uint32_t i = roomCount; i < seenCount; ++i)
+    if (area(regions[i].polygon) >= usual) worth.push_back(regions[i]);
+  return worth;
+}
 
 RegionOutlines regionOutlines(const Grid& grid, const VoronoiGraph& voronoi,
                               const InsideFlags& isInside, const Regions& regions,

@@ -49,78 +49,69 @@ std::vector<Component> componentsOf(const TopologyGraph& graph) {
   return components;
 }
 
-std::set<RoomId> roomsOf(const Component& component, const TopologyGraph& graph,
-                         const RoomAt& roomAt) {
-  std::set<RoomId> rooms;
+std::set<RoomId> regionsOf(const Component& component, const TopologyGraph& graph,
+                           const RegionAt& regionAt) {
+  std::set<RoomId> regions;
   const auto add = [&](Point place) {
-    if (const RoomId room = roomAt(place)) rooms.insert(room);
+    if (const RoomId region = regionAt(place)) regions.insert(region);
   };
   for (const VertexId v : component.vertices) add(graph.vertex(v).place);
   for (const EdgeId e : component.edges)
     for (const Point place : graph.edge(e).path.points) add(place);
-  return rooms;
+  return regions;
 }
 
-/** Which of them lead into rooms that no larger one leads into. */
-std::vector<bool> leadIntoNewRooms(const std::vector<Component>& components,
-                                   const TopologyGraph& graph, const RoomAt& roomAt) {
+/** Which of them lead into regions that no larger one leads into. */
+std::vector<bool> leadOn(const std::vector<Component>& components, const TopologyGraph& graph,
+                         const RegionAt& regionAt) {
   std::vector<bool> lead(components.size());
   std::set<RoomId> known;
   for (std::size_t c = 0; c < components.size() && components.size() > 1; ++c) {
     const std::size_t before = known.size();
-    known.merge(roomsOf(components[c], graph, roomAt));
+    known.merge(regionsOf(components[c], graph, regionAt));
     lead[c] = known.size() > before;
   }
   return lead;
 }
 
-Note droppedNote(std::size_t count, double length, const std::string& rule, const Vertex& where) {
-  const bool isOne = count == 1;
-  return {"component_dropped",
-          formatted("%zu unconnected part%s of the graph %s dropped, with %.1f m of paths%s", count,
-                    isOne ? "" : "s", isOne ? "was" : "were", length, rule.c_str()),
-          std::array<double, 2>{where.place.x, where.place.y}};
-}
-
-std::string ruleText(const KeepComponentsOptions& options) {
-  if (options.which == "all") return "";
-  return (options.which == "largest" ? "" : " that lead into no further room") +
-         std::string(": --all-components keeps those from ") +
-         formatted("%g m up", options.minLength);
+Note droppedNote(std::size_t count, double length, const Vertex& where) {
+  return {
+      "component_dropped",
+      formatted("%zu part%s of the graph, with %.1f m of paths, %s dropped: nothing joins %s to "
+                "the rest",
+                count, count == 1 ? "" : "s", length, count == 1 ? "was" : "were",
+                count == 1 ? "it" : "them"),
+      std::array<double, 2>{where.place.x, where.place.y}};
 }
 
 }  // namespace
 
 void describe(KeepComponentsOptions& options, FieldTable& table) {
-  const char* section = "keep_components";
-  table.choice(section, "which", options.which, {"largest", "with_rooms", "all"},
-               "Which unconnected parts of the graph are kept: the largest one, as in the paper; "
-               "also those that lead into further rooms; or all.");
-  table.number(section, "min_length", options.minLength, "m", 0, 1e6,
-               "Total path length from which a part is kept only because all are.");
+  table.flag("keep_components", "only_largest", options.onlyLargest,
+             "Keep only the largest of the parts of the graph that are not connected, as the paper "
+             "does, and not those that lead into further rooms, or into corridors as large as half "
+             "of the rooms are.");
 }
 
-TopologyGraph keepComponents(TopologyGraph graph, const RoomAt& roomAt,
+TopologyGraph keepComponents(TopologyGraph graph, const RegionAt& regionAt,
                              const KeepComponentsOptions& options, Notes& notes) {
   const std::vector<Component> components = componentsOf(graph);
   std::vector<bool> isKept(components.size());
-  if (options.which != "largest") isKept = leadIntoNewRooms(components, graph, roomAt);
+  if (!options.onlyLargest) isKept = leadOn(components, graph, regionAt);
   std::vector<bool> keepVertex(graph.vertices().size()), keepEdge(graph.edges().size());
   std::vector<const Component*> dropped;
   double droppedLength = 0;
   for (std::size_t c = 0; c < components.size(); ++c) {
     const Component& component = components[c];
-    const bool isLong = options.which == "all" && component.length >= options.minLength;
-    if (c == 0 || isKept[c] || isLong) {
-      for (const VertexId v : component.vertices) keepVertex[v.index()] = true;
-      for (const EdgeId e : component.edges) keepEdge[e.index()] = true;
-    } else {
+    if (c > 0 && !isKept[c]) {
       dropped.push_back(&component), droppedLength += component.length;
+      continue;
     }
+    for (const VertexId v : component.vertices) keepVertex[v.index()] = true;
+    for (const EdgeId e : component.edges) keepEdge[e.index()] = true;
   }
   if (!dropped.empty())
-    notes.push_back(
-        droppedNote(dropped.size(), droppedLength, ruleText(options), dropped.front()->widest));
+    notes.push_back(droppedNote(dropped.size(), droppedLength, dropped.front()->widest));
   return keepOnly(std::move(graph), keepVertex, keepEdge);
 }
 
