@@ -87,10 +87,11 @@ Note droppedNote(std::size_t count, double length, const Vertex& where) {
 }  // namespace
 
 void describe(KeepComponentsOptions& options, FieldTable& table) {
-  table.flag("keep_components", "only_largest", options.onlyLargest,
-             "Keep only the largest of the parts of the graph that are not connected, as the paper "
-             "does, and not those that lead into further rooms, or into corridors as large as half "
-             "of the rooms are.");
+  table.flag(
+      "keep_components", "only_largest", options.onlyLargest,
+      "Keep only the largest of the parts of the graph that are not connected, as the paper "
+      "does, and not those that lead into further rooms, or into corridors no smaller than the "
+      "median room.");
 }
 
 TopologyGraph keepComponents(TopologyGraph graph, const RegionAt& regionAt,

@@ -28,7 +28,7 @@ struct RegionOutlines {
 
   [[nodiscard]] Rooms rooms() const { return {regions.begin(), regions.begin() + roomCount}; }
   [[nodiscard]] Rooms halfSeen() const { return {regions.begin() + seenCount, regions.end()}; }
-  /** The rooms, and the corridors that are as large as half of these: smaller ones are what
+  /** The rooms, and the corridors that are no smaller than the median room: smaller ones are what
    *  furniture and broken walls leave. */
   [[nodiscard]] Rooms worthAWay() const;
 };
