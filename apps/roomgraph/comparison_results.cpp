@@ -208,9 +208,7 @@ int exitCodeOf(const Comparison& comparison, const GateOptions& gate) {
   const bool isAskedForSites = gate.failsOnOtherSites && areSeveralSites;
   if (gateFails && (isCompared || isAskedForSites)) return kGateFailed;
   if (isCompared) return kDone;
-  const auto copies = comparison.copies();
-  const bool areCopies = !copies.empty() && copies.front().size() == comparison.runs.size();
-  const char* reason = areCopies                    ? "all maps are copies of one"
+  const char* reason = comparison.areCopies()       ? "all maps are copies of one"
                        : comparison.runs.size() > 1 ? "no walls could be followed from map to map"
                        : areSeveralSites            ? "no two maps lie in one site"
                                                     : "only one map could be used";

@@ -16,6 +16,15 @@ has_lines() {
   for i in $(seq 300); do [ "$(wc -l < lines)" -lt "$1" ] || break; sleep 0.1; done
   [ "$(wc -l < lines)" -eq "$1" ] || { cat lines errors >&2; fail "not $1 lines"; }
 }
+# begins MAP FILE, ends MAP: writes a map to a file that stays open in between.
+begins() {
+  exec 3> "$2"
+  head -c 9000 "$maps/$1" >&3
+}
+ends() {
+  tail -c +9001 "$maps/$1" >&3
+  exec 3>&-
+}
 field() { tail -1 lines | python3 -c "import json, sys; print(json.load(sys.stdin)['$1'])"; }
 
 : > lines
@@ -26,12 +35,10 @@ has_lines 1
 [ "$(field file)" = in/one.simplemap.gz ] && [ "$(field error)" = None ] || fail "what was there is not added"
 
 # A file that is still being written is no map, however long it takes; then it is one, once.
-exec 3> in/two.simplemap.gz
-head -c 9000 "$maps/office_run2.simplemap.gz" >&3
+begins office_run2.simplemap.gz in/two.simplemap.gz
 sleep 3.5
 [ "$(wc -l < lines)" -eq 1 ] || fail "half a map is judged"
-tail -c +9001 "$maps/office_run2.simplemap.gz" >&3
-exec 3>&-
+ends office_run2.simplemap.gz
 has_lines 2
 [ "$(field file)" = in/two.simplemap.gz ] && [ "$(field error)" = None ] || fail "not judged when whole"
 # So is one that is moved into the folder; the third run of a site is judged.
@@ -64,8 +71,7 @@ kill -KILL $watcher
 wait $watcher 2> /dev/null || true
 rm in/bad.gridmap.gz
 cp "$maps/office.gridmap.gz" in/four.gridmap.gz
-exec 3> in/five.simplemap.gz
-head -c 9000 "$maps/office.simplemap.gz" >&3
+begins office.simplemap.gz in/five.simplemap.gz
 touch -d '1 hour ago' in/*
 : > lines
 start 3>&-
@@ -74,8 +80,7 @@ has_lines 1
 # Nor is half a map that somebody is writing at the start.
 sleep 1
 [ "$(wc -l < lines)" -eq 1 ] || fail "half a map is judged at the start"
-tail -c +9001 "$maps/office.simplemap.gz" >&3
-exec 3>&-
+ends office.simplemap.gz
 has_lines 2
 [ "$(field file)" = in/five.simplemap.gz ] && [ "$(field error)" = None ] || fail "not judged when whole"
 expect 0 "$roomgraph" archive site.db list

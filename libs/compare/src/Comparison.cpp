@@ -72,6 +72,11 @@ bool Comparison::isScaleUsual() const {
                                       [](const ComparedRun& run) { return run.isScaleEstimated; });
 }
 
+bool Comparison::areCopies() const {
+  const auto alike = copies();
+  return !alike.empty() && alike.front().size() == runs.size();
+}
+
 bool Comparison::hasBoth(const ComparedPair& pair) const {
   return std::count_if(runs.begin(), runs.end(), [&](const ComparedRun& run) {
            return run.name == pair.a || run.name == pair.b;

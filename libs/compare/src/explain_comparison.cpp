@@ -136,8 +136,7 @@ std::string reasonOf(const ComparedRun& run, const Comparison& comparison) {
 std::string verdictOf(const Comparison& result) {
   if (result.runs.size() < 2)
     return "Fewer than two runs of one site are left: nothing can be compared.";
-  const auto copies = result.copies();
-  if (!result.reference && !copies.empty() && copies[0].size() == result.runs.size())
+  if (!result.reference && result.areCopies())
     return (result.runs.size() == 2 ? "Both" : formatted("All %zu", result.runs.size())) +
            " runs are copies of one file, which say nothing about each other.";
   const ComparedRun& best = result.runs[0];
@@ -174,10 +173,10 @@ std::string verdictOf(const Comparison& result) {
 }
 
 std::string copiesNote(const Comparison& comparison) {
+  if (comparison.areCopies()) return "";  // which is the verdict already
   std::string text;
   const auto copies = comparison.copies(), edits = comparison.edits();
   for (const std::vector<std::string>& names : copies) {
-    if (names.size() == comparison.runs.size()) return text;  // which is the verdict already
     const std::vector<std::string> later(names.begin() + 1, names.end());
     text += " " + listed(later) + (later.size() == 1 ? " is a copy of " : " are copies of ") +
             names.front() + ".";

@@ -180,9 +180,7 @@ std::string caveatsOf(const std::vector<Run>& runs, const Findings& found,
     for (const auto& other : site.others) sites.push_back(namesOf(runs, other));
     text += otherSitesNote(sites);
   }
-  const bool areCopies = DistinctMaps(bendsOf(found.pairs)).areCopies();  // which says it all
   for (const std::vector<std::size_t>& drive : drives) {
-    if (areCopies) break;
     const auto members = mapped(drive, [&](std::size_t run) { return site.members[run]; });
     text += sharedDriveNote(namesOf(runs, members), site.runs.size());
   }
@@ -205,7 +203,7 @@ Comparison summarize(const std::vector<Run>& runs, const MapPairs& related, cons
                    [](const MapBreak& l, const MapBreak& r) { return l.size() > r.size(); });
   for (const std::size_t run : found.pairs.core) result.core.push_back(found.site.runs[run]->name);
   std::sort(result.core.begin(), result.core.end());
-  const auto drives = sharedDrives(found.site.runs);
+  auto drives = sharedDrives(found.site.runs);
   result.referenceDoubled = found.referenceDoubled;
   result.isOneDrive = drives.size() == 1 && drives[0].size() == found.site.runs.size();
   result.runs = runsOf(found);
@@ -215,6 +213,7 @@ Comparison summarize(const std::vector<Run>& runs, const MapPairs& related, cons
   for (ComparedRun& run : result.runs) run.reason = reasonOf(run, result);
   result.rooms = roomsOf(found, result.runs);
   result.leftOut = leftOutOf(runs, related, found.site);
+  if (result.areCopies()) drives.clear();  // the verdict says more
   result.verdict = verdictOf(result) + usualScaleNote(result) + copiesNote(result) +
                    caveatsOf(runs, found, drives);
   return result;

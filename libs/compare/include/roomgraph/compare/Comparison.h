@@ -139,7 +139,7 @@ struct Comparison {
    *  shows less than kNearlyAll of the site or the others of its walls or do not bear it out, it is
    *  smeared, its scale disputed, all runs of one drive or its interval wide; else *sure*. */
   [[nodiscard]] Certainty certaintyOf(const ComparedRun& run) const;
-
+  [[nodiscard]] bool areCopies() const;                        ///< all runs are of one map
   [[nodiscard]] bool hasBoth(const ComparedPair& pair) const;  ///< neither run of it is left out
   /** The names of the runs of each map that is there more than once, ascending. O(pairs). */
   [[nodiscard]] std::vector<std::vector<std::string>> copies() const;
