@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kFoot = 4, kLeast = 3;  // below the bars, and of the lowest one [px]
 const NVGcolor kPaper = nvgRGB(250, 250, 252), kInk = nvgRGB(20, 20, 20),
-               kBreak = nvgRGB(150, 20, 80);
+               kFault = nvgRGB(150, 20, 80);
 
 void fillRect(NVGcontext* context, float x, float y, float width, float height,
               const NVGcolor& colour) {
@@ -53,18 +53,18 @@ void TimeLine::drawBars(NVGcontext* context) const {
 }
 
 /** A flag on a pole. */
-void TimeLine::drawBreaks(NVGcontext* context) const {
+void TimeLine::drawFaults(NVGcontext* context) const {
   const float top = float(mPos.y()), foot = float(mPos.y() + mSize.y());
-  for (const MapBreak& tear : view_.comparison.breaks) {
-    if (tear.run != view_.comparison.runs[state_.run].name || !tear.keyFrame) continue;
-    const float x = xOf(placeInPath(view_, state_.run, *tear.keyFrame));
+  for (const Fault& fault : view_.faults) {
+    if (fault.run != view_.comparison.runs[state_.run].name || !fault.keyFrame) continue;
+    const float x = xOf(placeInPath(view_, state_.run, *fault.keyFrame));
     fillRect(context, x - 3, top, 6, foot - top, kPaper);  // to be seen on red bars
     nvgBeginPath(context);
     nvgRect(context, x - 1, top, 2, foot - top);
     nvgMoveTo(context, x, top);
     nvgLineTo(context, x + 12, top + 5);
     nvgLineTo(context, x, top + 10);
-    nvgFillColor(context, kBreak);
+    nvgFillColor(context, kFault);
     nvgFill(context);
   }
 }
@@ -73,7 +73,7 @@ void TimeLine::draw(NVGcontext* context) {
   const auto top = float(mPos.y()), high = float(mSize.y());
   fillRect(context, float(mPos.x()), top, float(mSize.x()), high, kPaper);
   drawBars(context);
-  drawBreaks(context);
+  drawFaults(context);
   if (view_.path(state_.run).empty()) return;
   fillRect(context, xOf(state_.frame) - 1.5F, top, 3, high, kInk);
 }

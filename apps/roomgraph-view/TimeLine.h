@@ -8,7 +8,7 @@
 namespace roomgraph {
 
 /** The path of the run as a strip: for each key frame a bar as high as its error, of the largest
- *  one, and as red as on the map; a mark for each break, and a line where the shown one is. A click
+ *  one, and as red as on the map; a mark for each fault, and a line where the shown one is. A click
  *  or a drag chooses a key frame. */
 class TimeLine : public nanogui::Widget {
  public:
@@ -26,7 +26,7 @@ class TimeLine : public nanogui::Widget {
 
  private:
   void drawBars(NVGcontext* context) const;
-  void drawBreaks(NVGcontext* context) const;
+  void drawFaults(NVGcontext* context) const;
   float xOf(std::size_t frame) const;
   void chooseAt(int x);
 

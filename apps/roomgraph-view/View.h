@@ -8,13 +8,15 @@
 #include "roomgraph/compare/Comparison.h"
 #include "roomgraph/mrpt_plugin/CRoomGraph.h"
 #include "roomgraph/relate/Run.h"
+#include "roomgraph/report/faults.h"
 
 namespace roomgraph {
 
 /** What there is to look at: one map with its graph, or runs of a site. */
 struct View {
-  Comparison comparison;  ///< of one map: its run alone, and that without a score
-  std::vector<Run> runs;  ///< in the order of the comparison's; those without a map are missing
+  Comparison comparison;      ///< of one map: its run alone, and that without a score
+  std::vector<Fault> faults;  ///< breaks; of one map, all that it tells of itself
+  std::vector<Run> runs;      ///< in the order of the comparison's; those without a map are missing
   /** Of one map, with which it is extracted anew when an option changes. */
   std::optional<GreyMap> map;
   ExtractOptions options;
@@ -30,9 +32,9 @@ struct View {
   const std::vector<PathPose>& path(std::size_t run) const { return comparison.runs[run].path; }
 };
 
-/** Reads what was named: one map, several runs, which are compared, or a comparison.json with its
- *  maps behind it. Those that are not named are looked for beside it, one folder above and in the
- *  current one. `say` is told what could not be used.
+/** Reads what was named: one map, which is checked by itself, several runs, which are compared, or
+ *  a comparison.json with its maps behind it. Those that are not named are looked for beside it, one
+ *  folder above and in the current one. `say` is told what could not be used.
  *  @throws DataError and UsageError where nothing is left to look at. */
 View loadView(const std::vector<std::string>& files, const ExtractOptions& options,
               const std::function<void(const std::string&)>& say);

@@ -15,11 +15,11 @@ namespace roomgraph {
 namespace {
 
 constexpr int kFromTop = 110, kWidth = 190;  // [px]
-constexpr int kRow = 30;                     // of a layer or a break, at most [px]
+constexpr int kRow = 30;                     // of a layer or a fault, at most [px]
 constexpr int kElsewhere = 220;              // below the panel, and of it without lists [px]
 constexpr int kLeastRows = 3;                // of a list
 constexpr int kMostRows = 14;                // of the layers of one map
-constexpr double kLayersShare = 0.55;        // of what both lists have, where there are breaks
+constexpr double kLayersShare = 0.55;        // of what both lists have, where there are faults
 constexpr std::size_t kLongest = 30;         // caption [bytes]
 constexpr double kQuick = 0.3;  // an extraction that is done while a slider moves takes less [s]
 
@@ -88,12 +88,12 @@ ViewPanel::ViewPanel(nanogui::Screen& screen, View& view, ViewState& state,
       new nanogui::BoxLayout(nanogui::Orientation::Vertical, nanogui::Alignment::Fill, 8, 3));
   panel->setPosition({10, kFromTop});
   const int lists = screen.height() - kFromTop - kElsewhere;
-  const bool hasBreaks = !view.comparison.breaks.empty();
-  const int ofLayers = hasBreaks ? int(kLayersShare * lists) : lists;
+  const bool hasFaults = !view.faults.empty();
+  const int ofLayers = hasFaults ? int(kLayersShare * lists) : lists;
   addLayers(*panel, layers, view_.map ? kMostRows * kRow : ofLayers);
   addWishes(*panel);
   const int used = std::min(ofLayers, int(layers.size()) * kRow);
-  if (hasBreaks) addBreaks(*panel, lists - used);
+  if (hasFaults) addFaults(*panel, lists - used);
   if (view_.map) addOptions(*panel);
 }
 
@@ -139,16 +139,16 @@ void ViewPanel::addWishes(nanogui::Widget& panel) {
   add(Wish::measure, "measure");
 }
 
-void ViewPanel::addBreaks(nanogui::Widget& panel, int height) {
-  const auto& breaks = view_.comparison.breaks;
-  new nanogui::Label(&panel, "breaks, the largest first");
-  nanogui::Widget* host = hostOf(panel, breaks.size(), height);
-  for (std::size_t i = 0; i < breaks.size(); ++i) {
-    std::string text = captionOf(breaks[i].run);
-    if (breaks[i].keyFrame) text += ", " + std::to_string(*breaks[i].keyFrame);
+void ViewPanel::addFaults(nanogui::Widget& panel, int height) {
+  new nanogui::Label(&panel, view_.map ? "faults" : "breaks, the largest first");
+  nanogui::Widget* host = hostOf(panel, view_.faults.size(), height);
+  for (std::size_t i = 0; i < view_.faults.size(); ++i) {
+    const Fault& fault = view_.faults[i];
+    std::string text = view_.map ? nameOf(fault.kind) : captionOf(fault.run);
+    if (fault.keyFrame) text += ", " + std::to_string(*fault.keyFrame);
     auto* button = new nanogui::Button(host, text);
     button->setFontSize(15);
-    button->setCallback([this, i] { calls_.lookAtBreak(i); });
+    button->setCallback([this, i] { calls_.lookAtFault(i); });
   }
 }
 

@@ -8,13 +8,13 @@
 
 namespace roomgraph {
 
-/** The panel at the left: layers, what can be done, breaks, options of the one map. */
+/** The panel at the left: layers, what can be done, faults, options of the one map. */
 class ViewPanel {
  public:
   /** What the panel calls. */
   struct Calls {
     std::function<void(Wish)> wish;
-    std::function<void(std::size_t)> lookAtBreak;
+    std::function<void(std::size_t)> lookAtFault;
     std::function<void()> refresh;       ///< the state has changed
     std::function<void()> extractAgain;  ///< the options of the view have changed
   };
@@ -28,7 +28,7 @@ class ViewPanel {
  private:
   void addLayers(nanogui::Widget& panel, const std::vector<std::string>& layers, int height);
   void addWishes(nanogui::Widget& panel);
-  void addBreaks(nanogui::Widget& panel, int height);
+  void addFaults(nanogui::Widget& panel, int height);
   void addOptions(nanogui::Widget& panel);
   void addOption(nanogui::Widget& panel, const std::string& name, const char* unit, double most,
                  double& option, double* rival);

@@ -6,11 +6,11 @@
 #include "draw_stage.h"
 #include "read_place.h"
 #include "roomgraph/drawing/run_marks.h"
-#include "roomgraph/mrpt_plugin/break_files.h"
 #include "roomgraph/mrpt_plugin/colours.h"
 #include "roomgraph/mrpt_plugin/comparison_scene.h"
 #include "roomgraph/mrpt_plugin/draw_comparison.h"
 #include "roomgraph/mrpt_plugin/draw_graph.h"
+#include "roomgraph/mrpt_plugin/fault_files.h"
 #include "roomgraph/mrpt_plugin/shapes.h"
 
 namespace roomgraph {
@@ -77,7 +77,7 @@ ViewScene::ViewScene(const View& view)
     : view_(view),
       scene_(MrptScene::Create()),
       frame_(setNamed("key frame")),
-      tear_(setNamed("break")),
+      fault_(setNamed("fault")),
       stage_(setNamed("stage")),
       marks_(setNamed("marks")),
       box_(boxOf(view)) {
@@ -86,7 +86,7 @@ ViewScene::ViewScene(const View& view)
   else
     addComparison();
   addPaths();
-  for (const auto& set : {stage_, tear_, frame_, marks_}) scene_->insert(set);
+  for (const auto& set : {stage_, fault_, frame_, marks_}) scene_->insert(set);
   lookDown(*scene_, box_, view.turn, 1.5);
 }
 
@@ -131,10 +131,10 @@ void ViewScene::addPaths() {
   if (!paths->empty()) addLayer("paths", paths);
 }
 
-/** Where the scans at a break are shown in both poses already. */
-bool ViewScene::isAtBreak(const ViewState& state) const {
-  if (!state.tear) return false;
-  const auto& keyFrame = view_.comparison.breaks[*state.tear].keyFrame;
+/** Where the scans at a fault are shown in both poses already. */
+bool ViewScene::isAtFault(const ViewState& state) const {
+  if (!state.fault) return false;
+  const auto& keyFrame = view_.faults[*state.fault].keyFrame;
   return keyFrame && placeInPath(view_, state.run, *keyFrame) == state.frame;
 }
 
@@ -147,7 +147,7 @@ void ViewScene::updateFrame(const ViewState& state) {
   const Point front = at(Point{2 * kRobotRadius, 0});
   frame_->insert(linesAt({{at.shift(), front}}, kFrameHeight, kRobot, 3));
   const Run* run = view_.runNamed(compared.name);
-  if (!run || state.frame >= run->scans.size() || isAtBreak(state)) return;
+  if (!run || state.frame >= run->scans.size() || isAtFault(state)) return;
   const Motion2D move(compared.pose);
   std::vector<Point> walls;
   for (std::size_t k = state.growsMap ? 0 : state.frame; k <= state.frame; ++k)
@@ -155,16 +155,16 @@ void ViewScene::updateFrame(const ViewState& state) {
   frame_->insert(pointsAt(walls, kFrameHeight, kScan, 4));
 }
 
-void ViewScene::updateBreak(const ViewState& state) {
-  if (state.tear == shownBreak_) return;
-  shownBreak_ = state.tear;
-  tear_->clear();
-  if (!state.tear) return;
-  MrptScene drawn = breakScene(view_.comparison, view_.comparison.breaks[*state.tear], view_.runs);
-  for (const BreakPart& part : kBreakParts)
+void ViewScene::updateFault(const ViewState& state) {
+  if (state.fault == shownFault_) return;
+  shownFault_ = state.fault;
+  fault_->clear();
+  if (!state.fault) return;
+  MrptScene drawn = faultScene(view_.comparison, view_.faults[*state.fault], view_.runs);
+  for (const FaultPart& part : kFaultParts)
     if (const auto object = drawn.getByName(part.name)) {
       object->setLocation(0, 0, kPathHeight);
-      tear_->insert(object);
+      fault_->insert(object);
     }
 }
 
@@ -188,22 +188,23 @@ void ViewScene::hideLayers(const ViewState& state) {
       object->setVisibility(state.hidden.count(name) == 0);
   for (std::size_t i = 0; i < view_.comparison.runs.size(); ++i)
     if (const auto path = scene_->getByName("path " + std::to_string(i)))
-      path->setVisibility(i == state.run && !state.tear);
-  // The two poses tell more of the break that is looked at; other words would hide them.
+      path->setVisibility(i == state.run && !state.fault);
+  // The two poses tell more of the fault that is looked at; other words would hide them.
   for (const char* name : {kBreaks, kRoomNames})
-    if (const auto words = scene_->getByName(name); words && state.tear)
+    if (const auto words = scene_->getByName(name); words && state.fault)
       words->setVisibility(false);
   hideGraph(state);
   hideRuns(state);
 }
 
-/** A stage takes the place of the graph; a map that grows is the only one. */
+/** A stage takes the place of the graph, as do the scans of a fault; a map that grows is the only
+ *  one. */
 void ViewScene::hideGraph(const ViewState& state) {
   if (!view_.graph) return;
   for (const char* name : kGraphParts) {
     const bool isMap = name == kGraphParts[0];
     const auto part = scene_->getByName(name);
-    if (part && ((state.stage && !isMap) || (state.growsMap && !state.stage)))
+    if (part && (((state.stage || state.fault) && !isMap) || (state.growsMap && !state.stage)))
       part->setVisibility(false);
   }
 }
@@ -216,13 +217,13 @@ void ViewScene::hideRuns(const ViewState& state) {
     if (!walls) continue;
     const Transform2D pose = shownPose(view_, state, i);
     walls->setPose(mrpt::poses::CPose3D(pose.x, pose.y, walls->getPose().z, pose.phi, 0, 0));
-    // What was seen at a break is to stand out from the maps.
-    const bool isShownThere = state.tear && state.other == i;
-    walls->setColor_u8(wallColour(i, state.tear && !isShownThere));
+    // What was seen at a fault is to stand out from the maps.
+    const bool isShownThere = state.fault && state.other == i;
+    walls->setColor_u8(wallColour(i, state.fault && !isShownThere));
     if (state.mode == Mode::swipe) walls->setVisibility(false);
     if (state.mode == Mode::nudge) walls->setVisibility(i == state.run || i == other);
     if (state.isFlickering) walls->setVisibility(i == (state.isFlicked ? *other : state.run));
-    if (state.tear && state.other) walls->setVisibility(isShownThere);
+    if (state.fault && state.other) walls->setVisibility(isShownThere);
     if (state.growsMap && i == state.run) walls->setVisibility(false);
   }
 }
@@ -241,8 +242,8 @@ void ViewScene::write(const ViewState& state) {
     ++count;
   };
   for (const std::string& line : readState(view_, state)) addLine(line);
-  if (!state.tear) return;
-  for (const BreakPart& part : kBreakParts) {
+  if (!state.fault) return;
+  for (const FaultPart& part : kFaultParts) {
     font.color = mrpt::img::TColorf(part.colour);
     addLine(part.name);
   }
@@ -250,15 +251,20 @@ void ViewScene::write(const ViewState& state) {
 
 void ViewScene::update(const ViewState& state) {
   updateFrame(state);
-  updateBreak(state);
+  updateFault(state);
   updateStage(state);
   updateMarks(state);
   hideLayers(state);
 }
 
-Box ViewScene::boxAt(const MapBreak& tear) const {
-  std::vector<Point> places{tear.place};
-  if (tear.torn) places = {tear.torn->drawn.shift(), tear.torn->untorn.shift(), tear.place};
+Box ViewScene::boxAt(const Fault& fault) const {
+  std::vector<Point> places{fault.place};
+  for (std::size_t r = 0; r < view_.comparison.runs.size(); ++r)
+    if (view_.comparison.runs[r].name == fault.run && fault.keyFrame && !view_.path(r).empty()) {
+      const Point drawn = view_.path(r)[placeInPath(view_, r, *fault.keyFrame)].pose.shift();
+      places.push_back(drawn);
+      if (fault.mend) places.push_back((*fault.mend)(drawn));
+    }
   for (Point& place : places) place = view_.onScreen()(place);
   return boundingBox(places).widened(8);  // what a scan shows round the robot [m]
 }

@@ -27,16 +27,16 @@ class ViewScene {
   const std::vector<std::string>& layers() const { return layers_; }
   /** Round all that there is, as the screen has it [m]. */
   Box box() const { return box_; }
-  /** The same round what is to be seen of a break [m]. */
-  Box boxAt(const MapBreak& tear) const;
+  /** The same round what is to be seen of a fault [m]. */
+  Box boxAt(const Fault& fault) const;
 
  private:
   void addComparison();
   void addPaths();
   void addLayer(const std::string& name, const viz::CSetOfObjects::Ptr& objects);
-  bool isAtBreak(const ViewState& state) const;
+  bool isAtFault(const ViewState& state) const;
   void updateFrame(const ViewState& state);
-  void updateBreak(const ViewState& state);
+  void updateFault(const ViewState& state);
   void updateStage(const ViewState& state);
   void updateMarks(const ViewState& state);
   void hideLayers(const ViewState& state);
@@ -46,8 +46,8 @@ class ViewScene {
   const View& view_;
   MrptScene::Ptr scene_;
   std::vector<std::string> layers_;
-  viz::CSetOfObjects::Ptr frame_, tear_, stage_, marks_;
-  std::optional<std::size_t> shownBreak_, shownStage_;
+  viz::CSetOfObjects::Ptr frame_, fault_, stage_, marks_;
+  std::optional<std::size_t> shownFault_, shownStage_;
   Box box_;
 };
 

@@ -35,11 +35,11 @@ void step(bool isForward, std::size_t by, const View& view, ViewState& state) {
       isForward ? std::min(state.frame + by, count - 1) : state.frame - std::min(by, state.frame);
 }
 
-void stepBreak(bool isForward, const View& view, ViewState& state) {
-  const std::size_t count = view.comparison.breaks.size();
+void stepFault(bool isForward, const View& view, ViewState& state) {
+  const std::size_t count = view.faults.size();
   if (count == 0) return;
-  const std::size_t before = state.tear ? *state.tear + (isForward ? 1 : count - 1) : 0;
-  lookAtBreak(before % count, view, state);
+  const std::size_t before = state.fault ? *state.fault + (isForward ? 1 : count - 1) : 0;
+  lookAtFault(before % count, view, state);
 }
 
 void stepStage(bool isForward, const View& view, ViewState& state) {
@@ -59,14 +59,14 @@ void showRun(std::size_t run, const View& view, ViewState& state) {
 }
 
 void nextRun(const View& view, ViewState& state) {
-  state.tear.reset();
+  state.fault.reset();
   showRun((state.run + 1) % view.comparison.runs.size(), view, state);
 }
 
 void nextOther(const View& view, ViewState& state) {
   const auto other = otherRun(view, state);
   if (!other) return;
-  if (state.tear && !state.other) {  // none is shown there yet
+  if (state.fault && !state.other) {  // none is shown there yet
     state.other = other;
     return;
   }
@@ -100,7 +100,7 @@ void leave(ViewState& state) {
   state.nudge = {};
   state.corners.clear();
   state.swipe.reset();
-  state.tear.reset();
+  state.fault.reset();
   state.other.reset();
   state.stage.reset();
 }
@@ -158,9 +158,9 @@ void fulfil(Wish wish, const View& view, ViewState& state) {
       return nextRun(view, state);
     case Wish::nextOther:
       return nextOther(view, state);
-    case Wish::nextBreak:
-    case Wish::previousBreak:
-      return stepBreak(wish == Wish::nextBreak, view, state);
+    case Wish::nextFault:
+    case Wish::previousFault:
+      return stepFault(wish == Wish::nextFault, view, state);
     case Wish::flicker:
       return flicker(view, state);
     case Wish::grow:
@@ -183,13 +183,13 @@ void fulfil(Wish wish, const View& view, ViewState& state) {
   }
 }
 
-void lookAtBreak(std::size_t tear, const View& view, ViewState& state) {
-  const MapBreak& place = view.comparison.breaks[tear];
-  state.tear = tear;
+void lookAtFault(std::size_t number, const View& view, ViewState& state) {
+  const Fault& fault = view.faults[number];
+  state.fault = number;
   state.isPlaying = false;
   for (std::size_t i = 0; i < view.comparison.runs.size(); ++i)
-    if (view.comparison.runs[i].name == place.run) showRun(i, view, state);
-  state.frame = placeInPath(view, state.run, place.keyFrame.value_or(0));
+    if (view.comparison.runs[i].name == fault.run) showRun(i, view, state);
+  state.frame = placeInPath(view, state.run, fault.keyFrame.value_or(0));
 }
 
 std::size_t placeInPath(const View& view, std::size_t run, std::size_t keyFrame) {
@@ -218,7 +218,7 @@ Transform2D shownPose(const View& view, const ViewState& state, std::size_t run)
 
 bool isBusy(const ViewState& state) {
   return state.mode != Mode::look || state.isFlickering || state.isPlaying || state.showsKeys ||
-         state.tear || state.stage;
+         state.fault || state.stage;
 }
 
 bool playOn(const View& view, ViewState& state) {

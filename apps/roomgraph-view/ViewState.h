@@ -25,7 +25,7 @@ struct ViewState {
   std::size_t run = 0;               ///< whose way is walked
   std::optional<std::size_t> other;  ///< what the run is held against; else the best other one
   std::size_t frame = 0;             ///< place in the path of that run
-  std::optional<std::size_t> tear;   ///< the break that is looked at, of Comparison::breaks
+  std::optional<std::size_t> fault;  ///< that is looked at, of View::faults
   std::optional<std::size_t> stage;  ///< of the extraction, see stageNames(); none for its result
   Mode mode = Mode::look;
   bool isPlaying = false;       ///< goes on by itself
@@ -51,8 +51,8 @@ enum class Wish {
   play,
   nextRun,
   nextOther,
-  nextBreak,
-  previousBreak,
+  nextFault,
+  previousFault,
   flicker,
   grow,
   nextStage,
@@ -68,8 +68,8 @@ enum class Wish {
 /** Makes a wish true, as far as there is something to show. */
 void fulfil(Wish wish, const View& view, ViewState& state);
 
-/** Looks at a break: its run, and the first key frame behind it. */
-void lookAtBreak(std::size_t tear, const View& view, ViewState& state);
+/** Looks at a fault: its run, and the key frame at which its later time is shown. */
+void lookAtFault(std::size_t number, const View& view, ViewState& state);
 
 /** Where in the path of a run this key frame is; the next one that has a scan where it has none. */
 std::size_t placeInPath(const View& view, std::size_t run, std::size_t keyFrame);

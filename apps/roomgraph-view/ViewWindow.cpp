@@ -55,8 +55,8 @@ class Window : public mrpt::gui::CDisplayWindowGUI {
     background_scene = drawn_.scene();
     addTimeLine();
     performLayout();
-    if (state_.tear)
-      lookAtTear();
+    if (state_.fault)
+      lookAtFaultNow();
     else
       lookAt(drawn_.box());
     refresh();
@@ -124,9 +124,9 @@ class Window : public mrpt::gui::CDisplayWindowGUI {
 
   ViewPanel::Calls panelCalls() {
     return {[this](Wish wish) { fulfilAndShow(wish); },
-            [this](std::size_t tear) {
-              lookAtBreak(tear, view_, state_);
-              lookAtTear();
+            [this](std::size_t number) {
+              lookAtFault(number, view_, state_);
+              lookAtFaultNow();
               refresh();
             },
             [this] { refresh(); },
@@ -197,7 +197,7 @@ class Window : public mrpt::gui::CDisplayWindowGUI {
     if (state_.mode == Mode::swipe && !state_.swipe)
       state_.swipe =
           view_.onScreen()(Point{camera().getCameraPointingX(), camera().getCameraPointingY()}).x;
-    if (state_.tear && (wish == Wish::nextBreak || wish == Wish::previousBreak)) lookAtTear();
+    if (state_.fault && (wish == Wish::nextFault || wish == Wish::previousFault)) lookAtFaultNow();
     refresh();
   }
 
@@ -211,7 +211,7 @@ class Window : public mrpt::gui::CDisplayWindowGUI {
     camera().setZoomDistance(float(away));
   }
 
-  void lookAtTear() { lookAt(drawn_.boxAt(view_.comparison.breaks[*state_.tear])); }
+  void lookAtFaultNow() { lookAt(drawn_.boxAt(view_.faults[*state_.fault])); }
 
   /** The place on the map that lies under the mouse; none where one looks along it. */
   std::optional<Point> placeAt(const nanogui::Vector2i& at) {

@@ -4,8 +4,10 @@
 
 #include "View.h"
 #include "roomgraph/align/scan_walls.h"
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/checked_file.h"
+#include "roomgraph/check/check_run.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/map_files/map_formats.h"
@@ -75,11 +77,25 @@ View viewOfRuns(const std::vector<std::string>& files, const ExtractOptions& opt
   return view;
 }
 
+/** What the one run of the view tells of itself: its faults, and how far each key frame is off. */
+void addCheck(const std::vector<Keyframe>& keyframes, View& view) {
+  Run run = view.runs.front();
+  run.scans = scanWalls(keyframes);
+  run.map = wallMap(view.stages->grid);
+  if (run.scans.empty() || run.map.walls.empty()) return;
+  const RunCheck check = checkRun(run);
+  view.faults = faultsOf(check);
+  auto& path = view.comparison.runs.front().path;
+  for (std::size_t k = 0; k < std::min(path.size(), check.path.size()); ++k)
+    if (check.selfError && check.path[k].isSeenTwice) path[k].error = check.path[k].error;
+}
+
 View viewOfMap(const std::string& file, const ExtractOptions& options) {
   View view;
   view.options = options;
   LoadedMap read = loadMap(file, options.loadGrid);
   view.map = std::move(read.map);
+  extractAgain(view);
   Run run;
   run.name = mapStem(file), run.file = file;
   run.scans = scanWalls(read.keyframes, kWallsOfScan);
@@ -87,9 +103,9 @@ View viewOfMap(const std::string& file, const ExtractOptions& options) {
   alone.name = run.name, alone.file = file;
   for (const ScanWalls& scan : run.scans)
     alone.path.push_back({scan.keyFrame, scan.time, scan.pose, std::nullopt});
-  view.comparison.runs = {alone};
+  view.comparison.runs = {std::move(alone)};
   view.runs.push_back(std::move(run));
-  extractAgain(view);
+  addCheck(read.keyframes, view);
   return view;
 }
 
@@ -106,7 +122,10 @@ View loadView(const std::vector<std::string>& files, const ExtractOptions& optio
   View view = !name.empty()     ? viewOfComparison(name, maps, say)
               : maps.size() > 1 ? viewOfRuns(maps, options, say)
                                 : viewOfMap(maps.front(), options);
-  if (!view.graph) view.turn = uprightTurn(view.comparison, view.runs);
+  if (!view.graph) {
+    view.turn = uprightTurn(view.comparison, view.runs);
+    view.faults = faultsOf(view.comparison);
+  }
   if (view.comparison.runs.empty())
     throw DataError(files.front() + ": has no run to look at: name maps, or another comparison");
   return view;

@@ -31,7 +31,7 @@ struct Arguments {
   std::vector<std::string> files;
   std::string screenshot;
   std::vector<int> size{1280, 860};
-  std::optional<std::size_t> run, frame, tear, stage;  // counted from 1, 0, 1 and 1
+  std::optional<std::size_t> run, frame, fault, stage;  // counted from 1, 0, 1 and 1
 };
 
 void say(const std::string& text) {
@@ -57,8 +57,8 @@ std::size_t placeOfFrame(std::size_t frame, const View& view, std::size_t run) {
 ViewState stateOf(const Arguments& arguments, const View& view) {
   const Comparison& comparison = view.comparison;
   ViewState state;
-  if (arguments.tear)
-    lookAtBreak(placeOf("--break", *arguments.tear, comparison.breaks.size()), view, state);
+  if (arguments.fault)
+    lookAtFault(placeOf("--break", *arguments.fault, view.faults.size()), view, state);
   if (arguments.run) state.run = placeOf("--run", *arguments.run, comparison.runs.size());
   if (arguments.frame) state.frame = placeOfFrame(*arguments.frame, view, state.run);
   const std::size_t stages = view.stages ? stageNames().size() : 0;
@@ -106,7 +106,7 @@ void writeScreenshot(const Arguments& arguments, const View& view) {
   ViewScene drawn(view);
   drawn.update(state);
   drawn.write(state);
-  const Box box = state.tear ? drawn.boxAt(view.comparison.breaks[*state.tear]) : drawn.box();
+  const Box box = state.fault ? drawn.boxAt(view.faults[*state.fault]) : drawn.box();
   const auto width = unsigned(arguments.size[0]), height = unsigned(arguments.size[1]);
   lookDown(*drawn.scene(), box, view.turn, double(width) / height);
   mrpt::opengl::CFBORender render(width, height);
@@ -138,7 +138,9 @@ void declare(Arguments& arguments, CLI::App& app) {
       ->type_name("K");
   app.add_option("--stage", arguments.stage, "Show this stage of the extraction, counted from 1.")
       ->type_name("N");
-  app.add_option("--break", arguments.tear, "Show this break, counted from 1.")->type_name("N");
+  app.add_option("--break", arguments.fault,
+                 "Show this break or, of one run, this fault, counted from 1.")
+      ->type_name("N");
 }
 
 int run(int count, char** words) {

@@ -73,12 +73,14 @@ std::string frameLine(const PathPose& at) {
   return text;
 }
 
-void addBreak(const View& view, const ViewState& state, std::vector<std::string>& lines) {
-  if (!state.tear) return;
-  const MapBreak& tear = view.comparison.breaks[*state.tear];
-  lines.push_back(formatted(
-      "break %zu of %zu: everything after it is turned by %.1f deg, shifted by %.2f m",
-      *state.tear + 1, view.comparison.breaks.size(), tear.rotation * 180 / M_PI, tear.shift));
+void addFault(const View& view, const ViewState& state, std::vector<std::string>& lines) {
+  if (!state.fault) return;
+  constexpr const char* kWords[] = {"break", "drawn twice", "laid over each other"};
+  const Fault& fault = view.faults[*state.fault];
+  lines.push_back((view.map ? "fault" : "break") +
+                  formatted(" %zu of %zu", *state.fault + 1, view.faults.size()) +
+                  (view.map ? std::string(", ") + kWords[std::size_t(fault.kind)] : "") + ": " +
+                  fault.text);
   if (state.other)
     lines.push_back("what " + printable(view.comparison.runs[*state.other].name) + " shows there");
 }
@@ -166,7 +168,7 @@ std::vector<std::string> readState(const View& view, const ViewState& state) {
   lines.push_back(title);
   if (state.stage && view.stages) lines.push_back(stageLine(*view.stages, *state.stage));
   if (state.frame < run.path.size()) lines.push_back(frameLine(run.path[state.frame]));
-  addBreak(view, state, lines);
+  addFault(view, state, lines);
   addMode(view, state, lines);
   return lines;
 }

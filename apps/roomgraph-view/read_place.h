@@ -11,7 +11,7 @@ namespace roomgraph {
  *  place, the room, the nearest vertex and path of the graph, and the nearest key frame. */
 std::vector<std::string> readPlace(const View& view, const ViewState& state, Point place);
 
-/** What there is to say of the run, its key frame, the break that is looked at, and of what the
+/** What there is to say of the run, its key frame, the fault that is looked at, and of what the
  *  mouse is for. */
 std::vector<std::string> readState(const View& view, const ViewState& state);
 

@@ -22,10 +22,10 @@ bool always(const View&) { return true; }
 bool hasMap(const View& view) { return view.stages.has_value(); }
 bool hasPath(const View& view) { return !view.path(0).empty(); }
 bool hasRuns(const View& view) { return view.comparison.runs.size() > 1; }
-bool hasBreaks(const View& view) { return !view.comparison.breaks.empty(); }
+bool hasFaults(const View& view) { return !view.faults.empty(); }
 
 constexpr KeyHelp kKeys[] = {
-    {"B, V", "next, previous break", hasBreaks},
+    {"B, V", "next, previous break or other fault", hasFaults},
     {"right, left", "key frame on, back; up, down: ten; shift: to the end", hasPath},
     {"space", "play", hasPath},
     {"G", "grow: only what was seen up to the key frame", hasPath},
@@ -52,8 +52,8 @@ std::optional<Wish> wishOf(int key, bool isShifted) {
       {GLFW_KEY_UP, Wish::tenOn},        {GLFW_KEY_DOWN, Wish::tenBack},
       {GLFW_KEY_PAGE_UP, Wish::tenOn},   {GLFW_KEY_PAGE_DOWN, Wish::tenBack},
       {GLFW_KEY_SPACE, Wish::play},      {GLFW_KEY_TAB, Wish::nextRun},
-      {GLFW_KEY_O, Wish::nextOther},     {GLFW_KEY_B, Wish::nextBreak},
-      {GLFW_KEY_V, Wish::previousBreak}, {GLFW_KEY_F, Wish::flicker},
+      {GLFW_KEY_O, Wish::nextOther},     {GLFW_KEY_B, Wish::nextFault},
+      {GLFW_KEY_V, Wish::previousFault}, {GLFW_KEY_F, Wish::flicker},
       {GLFW_KEY_G, Wish::grow},          {GLFW_KEY_X, Wish::nextStage},
       {GLFW_KEY_Z, Wish::previousStage}, {GLFW_KEY_M, Wish::measure},
       {GLFW_KEY_N, Wish::nudge},         {GLFW_KEY_W, Wish::swipe},
@@ -99,7 +99,7 @@ std::vector<std::string> helpLines(const View& view, const ViewState& state) {
   const auto add = [&](const char* words, bool isOf) {
     if (isOf) line += std::string(line.empty() ? "" : " | ") + words;
   };
-  add("B: break", hasBreaks(view));
+  add(view.map ? "B: fault" : "B: break", hasFaults(view));
   add("arrows: key frame | space: play | G: grow", hasPath(view));
   add("tab: run | O: other | F: flicker | W: swipe | N: nudge", hasRuns(view));
   add("X: stages", hasMap(view));

@@ -99,7 +99,7 @@ void checkFiles(const CheckArguments& arguments) {
   files.writesTo("--summary", arguments.summary);
   if (!arguments.writesBreaks) return;
   for (const std::string& file : arguments.files)
-    for (const char* kind : {"check.break", "check.doubled"})
+    for (const char* kind : {"check.break", "check.doubled", "check.welded"})
       files.writesNumbered(outputFile(arguments.folder, file, kind), file);
 }
 
@@ -143,10 +143,12 @@ std::function<int()> checkCommand(CLI::App& app) {
               "Runs to check, each by itself: simplemaps with 2D scans or point clouds. For "
               "other maps, only what their walls show is reported, without an error.");
   declareOutput(arguments->folder, "X.check.json and X.check.html", app);
-  app.add_flag("--break-files", arguments->writesBreaks,
-               "Also write the scans of each break N, and of each place N that is drawn twice, for "
-               "RawLogViewer: X.check.breakN.rawlog and X.check.doubledN.rawlog as the run has "
-               "them, and .untorn.rawlog as they fit.");
+  app.add_flag(
+      "--break-files", arguments->writesBreaks,
+      "Also write the scans of each break N, of each place N that is drawn twice and of each "
+      "that lies over another, for RawLogViewer: X.check.breakN.rawlog, "
+      "X.check.doubledN.rawlog and X.check.weldedN.rawlog as the run has them, and "
+      ".untorn.rawlog as they fit.");
   declareCheckGate(*arguments, app);
   declareOptions(arguments->options, app);
   declareRunning(arguments->running, "runs", "every note on a map", app);

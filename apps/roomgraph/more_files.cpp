@@ -14,10 +14,11 @@
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/map_files/read_recording.h"
-#include "roomgraph/mrpt_plugin/break_files.h"
+#include "roomgraph/mrpt_plugin/fault_files.h"
 #include "roomgraph/mrpt_plugin/mrpt_files.h"
 #include "roomgraph/relate/estimate_scale.h"
 #include "roomgraph/report/evo_files.h"
+#include "roomgraph/report/faults.h"
 #include "roomgraph/report/site_json.h"
 #include "roomgraph/scans/place_scans.h"
 #include "terminal.h"
@@ -71,41 +72,31 @@ Grid gridOf(const ComparedRun& run, const ExtractOptions& options) {
 void addBreakFiles(const Comparison& comparison, const std::vector<Run>& runs,
                    const LoadGridOptions& reading, FolderFiles& files) {
   std::map<std::string, std::vector<PlacedScan>> read;  // by run
-  for (std::size_t i = 0; i < comparison.breaks.size(); ++i) {
-    const MapBreak& tear = comparison.breaks[i];
-    const Run* run = findRun(runs, tear.run);
-    const ComparedRun* placed = findRun(comparison.runs, tear.run);
-    if (!tear.keyFrame || !run || !placed) continue;
-    const auto [known, isNew] = read.try_emplace(tear.run);
+  for (const Fault& fault : faultsOf(comparison)) {
+    const Run* run = findRun(runs, fault.run);
+    const ComparedRun* placed = findRun(comparison.runs, fault.run);
+    if (!fault.keyFrame || !run || !placed) continue;
+    const auto [known, isNew] = read.try_emplace(fault.run);
     if (isNew) known->second = scansOf(run->file, reading).scans;
     const std::vector<PlacedScan>& scans = known->second;
-    const std::string stem = "comparison.break" + std::to_string(i + 1);
+    const std::string stem = "comparison." + fault.name();
     for (const bool isUntorn : {false, true})
       files.add(stem + (isUntorn ? ".untorn.rawlog" : ".rawlog"),
-                rawlogBytes(scansAtBreak(tear, placed->pose, scans, isUntorn)));
-    files.add(stem + ".3Dscene", breakSceneBytes(comparison, tear, runs));
+                rawlogBytes(scansAtFault(fault, placed->pose, scans, isUntorn)));
+    files.add(stem + ".3Dscene", faultSceneBytes(comparison, fault, runs));
   }
 }
 
 void addCheckLogs(const RunCheck& check, const LoadGridOptions& reading, const std::string& stem,
                   FolderFiles& files) {
-  if (check.breaks.empty() && check.doubled.empty()) return;
+  const std::vector<Fault> faults = faultsOf(check);
+  if (faults.empty()) return;
   const std::vector<PlacedScan> scans = scansOf(check.file, reading).scans;
-  const auto add = [&](const char* kind, std::size_t number, const auto& scansAt, bool hasFit) {
-    const std::string name = stem + "." + kind + std::to_string(number);
-    files.add(name + ".rawlog", rawlogBytes(scansAt(false)));
-    if (hasFit) files.add(name + ".untorn.rawlog", rawlogBytes(scansAt(true)));
-  };
-  for (std::size_t i = 0; i < check.breaks.size(); ++i) {
-    const MapBreak& tear = check.breaks[i];
-    const auto at = [&](bool isUntorn) { return scansAtBreak(tear, {}, scans, isUntorn); };
-    add("break", i + 1, at, tear.torn.has_value());
-  }
-  for (std::size_t i = 0; i < check.doubled.size(); ++i) {
-    const auto at = [&](bool isUntorn) {
-      return scansAtDoubled(check.doubled[i], scans, isUntorn);
-    };
-    add("doubled", i + 1, at, true);
+  for (const Fault& fault : faults) {
+    const std::string name = stem + "." + fault.name();
+    files.add(name + ".rawlog", rawlogBytes(scansAtFault(fault, {}, scans, false)));
+    if (fault.mend)
+      files.add(name + ".untorn.rawlog", rawlogBytes(scansAtFault(fault, {}, scans, true)));
   }
 }
 

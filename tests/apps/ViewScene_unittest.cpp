@@ -43,11 +43,11 @@ TEST(ViewScene, aBreakIsShownInBothPoses) {
   ViewState state;
   drawn.update(state);
   EXPECT_FALSE(drawn.scene()->getByName("untorn"));
-  lookAtBreak(0, view, state);
+  lookAtFault(0, view, state);
   drawn.update(state);
   EXPECT_TRUE(drawn.scene()->getByName("drawn"));
   EXPECT_TRUE(drawn.scene()->getByName("untorn"));
-  const Box box = drawn.boxAt(view.comparison.breaks[0]);
+  const Box box = drawn.boxAt(view.faults[0]);
   EXPECT_TRUE(box.contains({5, 1}) && box.contains({6, 1}));
 }
 
@@ -57,7 +57,7 @@ TEST(ViewScene, aSlantedSiteIsShownUpright) {
   const ViewScene drawn(view);
   const auto& camera = drawn.scene()->getViewport()->getCamera();
   EXPECT_NEAR(std::remainder(double(camera.getAzimuthDegrees()) + 180, 360), 0, 1e-3);
-  const Box box = drawn.boxAt(view.comparison.breaks[0]);
+  const Box box = drawn.boxAt(view.faults[0]);
   EXPECT_TRUE(box.contains({-1, 5}) && box.contains({-1, 6})) << "as the screen has it";
   const Point middle = view.onScreen()(Point{camera.getPointingAtX(), camera.getPointingAtY()});
   EXPECT_NEAR(distance(middle, midpoint(drawn.box().low, drawn.box().high)), 0, 1e-3);
@@ -68,7 +68,7 @@ TEST(ViewScene, aRunMayHaveTheNameOfALayer) {
   const std::string names[] = {"rooms", "key frame"};
   for (std::size_t i = 0; i < 2; ++i) view.comparison.runs[i].name = names[i];
   view.comparison.runs[1].pose = {3, 4, 0};
-  view.comparison.breaks.clear();
+  view.comparison.breaks.clear(), view.faults.clear();
   view.runs.clear();  // no walls, so that nothing is theirs
   ViewScene drawn(view);
   const auto outlines = drawn.scene()->getByName("rooms");
@@ -86,7 +86,7 @@ TEST(ViewScene, atABreakTheNamesOfOthersAreGone) {
   drawn.update(state);
   EXPECT_TRUE(drawn.scene()->getByName("breaks")->isVisible());
   EXPECT_TRUE(drawn.scene()->getByName("room names")->isVisible());
-  lookAtBreak(0, view, state);
+  lookAtFault(0, view, state);
   drawn.update(state);
   EXPECT_FALSE(drawn.scene()->getByName("breaks")->isVisible());
   EXPECT_FALSE(drawn.scene()->getByName("room names")->isVisible());
@@ -162,7 +162,7 @@ TEST(ViewScene, aBreakCanBeHeldAgainstOneOtherRun) {
   const View view = viewWithMaps();
   ViewScene drawn(view);
   ViewState state;
-  lookAtBreak(0, view, state);
+  lookAtFault(0, view, state);
   state.other = 0;
   drawn.update(state);
   EXPECT_TRUE(drawn.scene()->getByName("run good")->isVisible());

@@ -36,17 +36,17 @@ TEST(Fulfil, theNextRunHasItsOwnKeyFrames) {
 TEST(Fulfil, breaksComeOneAfterTheOtherAndRoundAgain) {
   const View view = sampleView();
   ViewState state;
-  fulfil(Wish::nextBreak, view, state);
-  EXPECT_EQ(state.tear, 0u);
+  fulfil(Wish::nextFault, view, state);
+  EXPECT_EQ(state.fault, 0u);
   EXPECT_EQ(state.run, 1u);
   EXPECT_EQ(state.frame, 12u);
-  fulfil(Wish::nextBreak, view, state);
-  EXPECT_EQ(state.tear, 1u);
+  fulfil(Wish::nextFault, view, state);
+  EXPECT_EQ(state.fault, 1u);
   EXPECT_EQ(state.run, 0u);
-  fulfil(Wish::nextBreak, view, state);
-  EXPECT_EQ(state.tear, 0u);
-  fulfil(Wish::previousBreak, view, state);
-  EXPECT_EQ(state.tear, 1u);
+  fulfil(Wish::nextFault, view, state);
+  EXPECT_EQ(state.fault, 0u);
+  fulfil(Wish::previousFault, view, state);
+  EXPECT_EQ(state.fault, 1u);
 }
 
 TEST(Fulfil, modesEndEachOtherAndNeedASecondRun) {
@@ -70,7 +70,7 @@ TEST(Fulfil, modesEndEachOtherAndNeedASecondRun) {
 TEST(Fulfil, leavingEndsAllThatWasBegun) {
   const View view = sampleView();
   for (const Wish wish : {Wish::play, Wish::flicker, Wish::measure, Wish::nudge, Wish::swipe,
-                          Wish::keys, Wish::nextBreak}) {
+                          Wish::keys, Wish::nextFault}) {
     ViewState state;
     fulfil(wish, view, state);
     EXPECT_TRUE(isBusy(state)) << int(wish);
@@ -83,7 +83,7 @@ TEST(Fulfil, atABreakTheBestOtherRunIsShownFirst) {
   View view = sampleView();
   view.comparison.runs.resize(3);
   ViewState state;
-  lookAtBreak(0, view, state);  // of run 1
+  lookAtFault(0, view, state);  // of run 1
   fulfil(Wish::nextOther, view, state);
   EXPECT_EQ(state.other, 0u);
   fulfil(Wish::nextOther, view, state);

@@ -35,11 +35,12 @@ TEST(ReadPlace, tellsRoomAndKeyFrame) {
 TEST(ReadState, tellsTheBreak) {
   const View view = sampleView();
   ViewState state;
-  lookAtBreak(0, view, state);
+  lookAtFault(0, view, state);
   const auto lines = readState(view, state);
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_EQ(lines[0], "torn");
-  EXPECT_EQ(lines[2], "break 1 of 2: everything after it is turned by 11.5 deg, shifted by 1.00 m");
+  EXPECT_EQ(lines[2],
+            "break 1 of 2: everything after it is turned by 11.5 degrees, shifted by 1.00 m");
 }
 
 TEST(ReadPlace, tellsRoomVertexAndPathOfTheOneMap) {

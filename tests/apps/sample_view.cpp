@@ -30,6 +30,7 @@ View sampleView() {
   }
   view.comparison.breaks = {{"torn", {6, 1}, 0.2, 1, 12, 1e9, TornPose{{6, 1, 0}, {5, 1, -0.2}}},
                             {"good", {1, 0}, 0.1, 0.5, {}, {}, {}}};
+  view.faults = faultsOf(view.comparison);
   SiteRoom room;
   room.id = room.name = "R1", room.area = 200;
   room.polygon.outer = {{-1, -5}, {19, -5}, {19, 5}, {-1, 5}};

@@ -17,6 +17,10 @@ expect 0 "$view" --break 1 --screenshot break.png --size 640 480 "$maps"/office_
 [ "$(identify -format '%wx%h' break.png)" = 640x480 ] || fail "size"
 [ "$(pixels break.png 'rgb(0,130,90)')" -gt 100 ] || fail "no torn piece"
 
+# One run is checked by itself: what it has drawn twice is shown in both poses.
+expect 0 "$view" "$maps/office_run3.simplemap.gz" --break 1 --screenshot fault.png
+[ "$(pixels fault.png 'rgb(0,130,90)')" -gt 100 ] || fail "no mended piece"
+
 # What is read, or somebody else's, is not replaced; its own picture is.
 cp "$maps"/office.yaml "$maps"/office.png . && cp office.png mine.png
 for picture in office.png mine.png; do
@@ -43,9 +47,9 @@ expect 0 "$view" --help
 sed -n '/^<!-- help -->/,/^<!-- end -->/p' "$source_dir/apps/roomgraph-view/README.md" |
   grep -v '^<!--\|^```' | diff -B - out || fail "apps/roomgraph-view/README.md has another help"
 
-expect 2 "$view" "$maps/office_run4.simplemap.gz" --break 1 --screenshot none.png
+expect 2 "$view" "$maps/office_run1.simplemap.gz" --break 1 --screenshot none.png
 one_line err --break
-grep -q "there is none" err || fail "a break of a run alone"
+grep -q "there is none" err || fail "a sound run has no break"
 expect 2 "$view" "$maps/office_run4.simplemap.gz" --key-frame 120 --screenshot none.png
 one_line err "the last one is 119"
 expect 2 "$view" "$maps/office.yaml" --key-frame 0 --screenshot none.png

@@ -7,9 +7,9 @@
 #include "roomgraph/align/wall_quality.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/xml_text.h"
-#include "roomgraph/breaks/frames_at_break.h"
 #include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/page/simple_page.h"
+#include "roomgraph/report/faults.h"
 #include "roomgraph/report/run_check_json.h"
 #include "roomgraph/report/upright_turn.h"
 
@@ -17,13 +17,6 @@ namespace roomgraph {
 namespace {
 
 constexpr double kScanReach = 12;  // walls that are shown at a break, from it [m]
-constexpr const char* kColoursHint =
-    "<p class=\"hint\">Blue is what the earlier scans have met, orange the later ones.</p>\n";
-
-/** Scans of a run, from `first` to before `end`. */
-struct FrameRange {
-  std::size_t first = 0, end = 0;
-};
 
 /** Places as dots of a path; y is up in maps and down in pictures. */
 std::string dots(const std::vector<Point>& places, const char* colour, double size) {
@@ -85,97 +78,62 @@ std::string mapPicture(const RunCheck& check, const Run& run) {
 }
 
 /** What some scans have met within kScanReach of a place, moved by `motion` first. */
-std::vector<Point> wallsNear(Point middle, const Run& run, FrameRange frames,
+std::vector<Point> wallsNear(Point middle, const Run& run, const KeyFrameRange& range,
                              const Transform2D& motion) {
   std::vector<Point> walls;
-  for (std::size_t k = frames.first; k < frames.end; ++k)
-    for (const WallPoint& wall : run.scans[k].walls)
+  for (const ScanWalls& scan : run.scans) {
+    if (!range.holds(scan.keyFrame)) continue;
+    for (const WallPoint& wall : scan.walls)
       if (const Point moved = motion(wall.place); distance(moved, middle) < kScanReach)
         walls.push_back(moved);
+  }
   return walls;
 }
 
-/** What two stretches of the run have met around a place, that of the second moved by `motion`. */
-std::string scansPicture(Point middle, const Run& run, const FrameRange& before,
-                         const FrameRange& after, const Transform2D& motion) {
+/** What both times of a fault have met around it, that of the later one moved by `motion`. */
+std::string scansPicture(const Fault& fault, const Run& run, const Transform2D& motion) {
+  const Point middle = fault.place;
   return pictureOf(Box{middle, middle}.widened(kScanReach), "scans", uprightTurn(run.map, 0),
                    middle) +
-         dots(wallsNear(middle, run, before, {}), "#0a4f8f", 0.14) +
-         dots(wallsNear(middle, run, after, motion), "#c44d00", 0.14) + "</g></svg>";
+         dots(wallsNear(middle, run, fault.earlier, {}), "#0a4f8f", 0.14) +
+         dots(wallsNear(middle, run, fault.later, motion), "#c44d00", 0.14) + "</g></svg>";
 }
 
 /** The same as drawn and, if that is known, as they fit. */
-std::string pairHtml(Point middle, const Run& run, const FrameRange& before,
-                     const FrameRange& after, const std::optional<Transform2D>& mend) {
-  const std::string fits = mend ? "</figure>\n<figure>" +
-                                      scansPicture(middle, run, before, after, *mend) +
-                                      "<figcaption>as they fit</figcaption>"
-                                : "";
-  return "<div class=\"pair\"><figure>" + scansPicture(middle, run, before, after, {}) +
+std::string faultHtml(const Fault& fault, const char* what, const Run& run) {
+  const std::string fits = fault.mend
+                               ? "</figure>\n<figure>" + scansPicture(fault, run, *fault.mend) +
+                                     "<figcaption>as they fit</figcaption>"
+                               : "";
+  return std::string("<h3>") + what + formatted(" %zu: ", fault.number) + fault.text +
+         "</h3>\n<div class=\"pair\"><figure>" + scansPicture(fault, run, {}) +
          "<figcaption>as drawn</figcaption>" + fits + "</figure></div>\n";
 }
 
-std::string breakHtml(const MapBreak& tear, std::size_t number, const Run& run) {
-  const FramesAtBreak frames = framesAtBreak(tear, run.scans);
-  std::optional<Transform2D> mend;
-  if (tear.torn) mend = tear.torn->mend();
-  return formatted("<h3>Break %zu: ", number) + selfBreakText(tear) + "</h3>\n" +
-         pairHtml(tear.place, run, {frames.first, frames.behind}, {frames.behind, frames.end},
-                  mend);
-}
+/** A section of the page: the faults of one kind. */
+struct FaultSection {
+  FaultKind kind;
+  const char *id, *heading, *what;
+  const char* none;  ///< what stands there without any; nullptr for no section at all
+};
 
-std::string breaksHtml(const RunCheck& check, const Run& run) {
-  std::string html = "<section id=\"breaks\">\n<h2>Breaks</h2>\n";
-  if (check.breaks.empty()) return html + "<p class=\"none\">No break was found.</p>\n</section>\n";
-  html +=
-      "<p class=\"hint\">Blue is what the scans before the break have met, orange those after "
-      "it.</p>\n";
-  for (std::size_t i = 0; i < check.breaks.size(); ++i)
-    html += breakHtml(check.breaks[i], i + 1, run);
-  return html + "</section>\n";
-}
+constexpr FaultSection kFaultSections[] = {
+    {FaultKind::broken, "breaks", "Breaks", "Break", "No break was found."},
+    {FaultKind::doubled, "doubled", "Drawn twice", "Place",
+     "Of what was seen twice nothing that no break explains is drawn in two places."},
+    {FaultKind::welded, "welded", "Laid over each other", "Place", nullptr}};
 
-std::size_t scanOf(std::size_t keyFrame, const RunCheck& check) {
-  const auto found =
-      std::find_if(check.path.begin(), check.path.end(),
-                   [&](const CheckedPose& pose) { return pose.keyFrame >= keyFrame; });
-  return std::size_t(found - check.path.begin());
-}
-
-/** The scans beside the one at which a stretch is shown. */
-FrameRange framesOf(const DrawnStretch& stretch, const RunCheck& check) {
-  const std::size_t scan = scanOf(stretch.keyFrame, check);
-  return {scan - std::min(scan, kFramesAtBreak),
-          std::min(check.path.size(), scan + kFramesAtBreak + 1)};
-}
-
-std::string doubledHtml(const RunCheck& check, const Run& run) {
-  std::string html = "<section id=\"doubled\">\n<h2>Drawn twice</h2>\n";
-  if (check.doubled.empty())
-    return html +
-           "<p class=\"none\">Of what was seen twice nothing that no break explains is drawn in "
-           "two places.</p>\n</section>\n";
-  html += kColoursHint;
-  for (std::size_t i = 0; i < check.doubled.size(); ++i) {
-    const DoubledPlace& place = check.doubled[i];
-    html += formatted("<h3>Place %zu: ", i + 1) + doubledText(place) + "</h3>\n" +
-            pairHtml(place.one.place, run, framesOf(place.one, check), framesOf(place.other, check),
-                     place.mend);
-  }
-  return html + "</section>\n";
-}
-
-std::string weldedHtml(const RunCheck& check, const Run& run) {
-  if (check.welded.empty()) return "";
-  std::string html =
-      std::string("<section id=\"welded\">\n<h2>Laid over each other</h2>\n") + kColoursHint;
-  for (std::size_t i = 0; i < check.welded.size(); ++i) {
-    const WeldedPlace& place = check.welded[i];
-    html += formatted("<h3>Place %zu: ", i + 1) + weldedText(place) + "</h3>\n" +
-            pairHtml(place.one.place, run, framesOf(place.one, check), framesOf(place.other, check),
-                     std::nullopt);
-  }
-  return html + "</section>\n";
+std::string faultsHtml(const std::vector<Fault>& faults, const FaultSection& section,
+                       const Run& run) {
+  std::string found;
+  for (const Fault& fault : faults)
+    if (fault.kind == section.kind) found += faultHtml(fault, section.what, run);
+  if (found.empty() && !section.none) return "";
+  return std::string("<section id=\"") + section.id + "\">\n<h2>" + section.heading + "</h2>\n" +
+         (found.empty() ? std::string("<p class=\"none\">") + section.none
+                        : "<p class=\"hint\">Blue is what the earlier scans have met, orange the "
+                          "later ones.") +
+         "</p>\n" + found + "</section>\n";
 }
 
 std::string figureText(const std::optional<double>& value, const Evidence& row) {
@@ -244,10 +202,11 @@ std::string checkPage(const RunCheck& check, const Run& run) {
       ".pair{display:flex;gap:16px;flex-wrap:wrap} .pair figure{margin:0;flex:1 1 320px} "
       ".pair svg{width:100%;background:#fff;border:1px solid var(--line)} "
       ".dots{fill:none;stroke-linecap:round}";
-  page.body = run.scans.empty()
-                  ? mapHtml(check, run)
-                  : figuresHtml(check) + mapHtml(check, run) + breaksHtml(check, run) +
-                        doubledHtml(check, run) + weldedHtml(check, run);
+  if (!run.scans.empty()) page.body = figuresHtml(check);
+  page.body += mapHtml(check, run);
+  if (!run.scans.empty())
+    for (const FaultSection& section : kFaultSections)
+      page.body += faultsHtml(faultsOf(check), section, run);
   page.body += evidenceHtml(check);
   page.footer = "roomgraph's docs/check.md explains the figures.";
   return simplePage(page);

@@ -1,4 +1,4 @@
-#include "roomgraph/mrpt_plugin/break_files.h"
+#include "roomgraph/mrpt_plugin/fault_files.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/io/CMemoryStream.h>
@@ -12,8 +12,13 @@
 namespace roomgraph {
 namespace {
 
-MapBreak tearAt(std::optional<std::size_t> frame) {
-  return {"torn", {4, 4}, 0.2, 1, frame, {}, TornPose{{5, 4, 0.2}, {4, 4, 0}}};
+/** A run named "torn" whose key frames from 12 on are to be moved. */
+Fault faultAt12() {
+  Fault fault;
+  fault.run = "torn", fault.place = {4, 4}, fault.keyFrame = 12;
+  fault.earlier = {2, 11}, fault.later = {12, 21};
+  fault.mend = TornPose{{5, 4, 0.2}, {4, 4, 0}}.mend();
+  return fault;
 }
 
 /** Two runs along a line; the second is torn at key frame 12 of 30. */
@@ -22,7 +27,6 @@ Comparison comparison() {
   result.runs.resize(2);
   result.runs[0].name = "good", result.runs[1].name = "torn";
   result.runs[1].pose = {1, 2, 0};
-  result.breaks = {tearAt(12)};
   return result;
 }
 
@@ -44,8 +48,8 @@ std::shared_ptr<viz::CPointCloud> cloudOf(MrptScene& scene, const char* name) {
   return set ? set->getByClass<viz::CPointCloud>() : nullptr;
 }
 
-TEST(BreakScene, showsTheTornPieceInBothPoses) {
-  MrptScene scene = breakScene(comparison(), tearAt(12), runs());
+TEST(FaultScene, showsTheTornPieceInBothPoses) {
+  MrptScene scene = faultScene(comparison(), faultAt12(), runs());
   EXPECT_TRUE(scene.getByName("run good"));
   const auto before = cloudOf(scene, "before"), drawn = cloudOf(scene, "drawn"),
              untorn = cloudOf(scene, "untorn");
@@ -61,10 +65,10 @@ TEST(BreakScene, showsTheTornPieceInBothPoses) {
   EXPECT_NEAR(double(untorn->getPoint3Df(0).y), 4 - std::cos(0.2) - 2 * std::sin(0.2), 1e-5);
 }
 
-TEST(BreakScene, namesStandAboveAllThatIsShown) {
-  MrptScene scene = breakScene(comparison(), tearAt(12), runs());
+TEST(FaultScene, namesStandAboveAllThatIsShown) {
+  MrptScene scene = faultScene(comparison(), faultAt12(), runs());
   double top = -HUGE_VAL;
-  for (const BreakPart& part : kBreakParts) {
+  for (const FaultPart& part : kFaultParts) {
     const auto cloud = cloudOf(scene, part.name);
     ASSERT_TRUE(cloud) << part.name;
     for (std::size_t i = 0; i < cloud->size(); ++i)
@@ -76,55 +80,48 @@ TEST(BreakScene, namesStandAboveAllThatIsShown) {
   EXPECT_GT(text->getPose().y, top);
 }
 
-TEST(BreakScene, isReadByMrpt) {
-  const std::string bytes = breakSceneBytes(comparison(), tearAt(12), runs());
-  EXPECT_EQ(bytes, breakSceneBytes(comparison(), tearAt(12), runs()));
+TEST(FaultScene, isReadByMrpt) {
+  const std::string bytes = faultSceneBytes(comparison(), faultAt12(), runs());
+  EXPECT_EQ(bytes, faultSceneBytes(comparison(), faultAt12(), runs()));
   EXPECT_TRUE(test::sceneOf(bytes).getByName("untorn"));
 }
 
-TEST(BreakScene, withoutMapsItHoldsNothing) {
-  MrptScene scene = breakScene(comparison(), tearAt(12), {});
+TEST(FaultScene, withoutMapsItHoldsNothing) {
+  MrptScene scene = faultScene(comparison(), faultAt12(), {});
   for (const char* name : {"good", "before", "drawn", "untorn"})
     EXPECT_FALSE(scene.getByName(name)) << name;
 }
 
-TEST(ScansAtBreak, thoseBehindItLieWhereTheyWouldWithoutIt) {
+TEST(FaultScene, ofWhatNobodyCanMendNothingIsShownMended) {
+  Fault fault = faultAt12();
+  fault.mend.reset();
+  MrptScene scene = faultScene(comparison(), fault, runs());
+  EXPECT_TRUE(scene.getByName("drawn"));
+  EXPECT_FALSE(scene.getByName("untorn"));
+}
+
+TEST(ScansAtFault, theLaterOnesLieWhereTheyFit) {
   const std::vector<PlacedScan> drive = test::sampleDrive(30);
-  const MapBreak tear = tearAt(12);
-  const auto drawn = scansAtBreak(tear, {}, drive, false),
-             untorn = scansAtBreak(tear, {}, drive, true);
+  const auto drawn = scansAtFault(faultAt12(), {}, drive, false),
+             untorn = scansAtFault(faultAt12(), {}, drive, true);
   ASSERT_EQ(drawn.size(), 20u);
   ASSERT_EQ(untorn.size(), 20u);
-  const Transform2D motion = tear.torn->untorn * tear.torn->drawn.inverse();
   for (std::size_t k = 0; k < 20; ++k) {
     const auto& robot = drive[k + 2].from;
     EXPECT_NEAR(drawn[k].from.x(), robot.x(), 1e-9);
-    const Point at{robot.x(), robot.y()}, expected = k < 10 ? at : motion(at);
+    const Point at{robot.x(), robot.y()}, expected = k < 10 ? at : (*faultAt12().mend)(at);
     EXPECT_NEAR(untorn[k].from.x(), expected.x, 1e-9) << k;
     EXPECT_NEAR(untorn[k].from.y(), expected.y, 1e-9) << k;
   }
 }
 
-TEST(ScansAtBreak, lieInTheFrameOfTheSite) {
+TEST(ScansAtFault, lieInTheFrameOfTheSite) {
   const std::vector<PlacedScan> drive = test::sampleDrive(30);
-  const auto scans = scansAtBreak(tearAt(12), {10, 20, 0}, drive, false);
+  const auto scans = scansAtFault(faultAt12(), {10, 20, 0}, drive, false);
   EXPECT_NEAR(scans[0].from.x(), drive[2].from.x() + 10, 1e-9);
-  EXPECT_TRUE(scansAtBreak(tearAt({}), {}, drive, true).empty());
-}
-
-TEST(ScansAtDoubled, areThoseOfBothTimesAndTheSecondOnesFitWhereAsked) {
-  const std::vector<PlacedScan> drive = test::sampleDrive(30);
-  DoubledPlace place;
-  place.one.first = 3, place.one.last = 5;
-  place.other.first = 20, place.other.last = 21;
-  place.mend = {0, 2, 0};
-  const auto drawn = scansAtDoubled(place, drive, false);
-  ASSERT_EQ(drawn.size(), 5u);
-  EXPECT_EQ(drawn[2].keyFrame, 5u);
-  EXPECT_EQ(drawn[3].keyFrame, 20u);
-  const auto fits = scansAtDoubled(place, drive, true);
-  EXPECT_NEAR(fits[2].from.y(), drawn[2].from.y(), 1e-9);
-  EXPECT_NEAR(fits[4].from.y(), drawn[4].from.y() + 2, 1e-9);
+  Fault ofGrid = faultAt12();
+  ofGrid.earlier = ofGrid.later = {};
+  EXPECT_TRUE(scansAtFault(ofGrid, {}, drive, true).empty());
 }
 
 }  // namespace

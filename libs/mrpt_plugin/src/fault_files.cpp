@@ -1,4 +1,4 @@
-#include "roomgraph/mrpt_plugin/break_files.h"
+#include "roomgraph/mrpt_plugin/fault_files.h"
 
 #include <algorithm>
 #include <iterator>
@@ -19,12 +19,10 @@ constexpr double kLayerStep = 0.05;    // between layers, so that none hides in 
 constexpr double kRobotMark = 0.15;    // [m]
 constexpr double kLetterShare = 0.03;  // of the width of what is shown
 
-Transform2D mendOf(const MapBreak& tear) { return tear.torn ? tear.torn->mend() : Transform2D{}; }
-
 /** What some key frames saw, and the way of the robot. */
 class Piece {
  public:
-  Piece(const BreakPart& part, double height) : part_(part), height_(height) {}
+  Piece(const FaultPart& part, double height) : part_(part), height_(height) {}
 
   void add(const ScanWalls& scan, const Transform2D& siteFromRun) {
     const Motion2D move(siteFromRun);
@@ -46,7 +44,7 @@ class Piece {
   }
 
  private:
-  BreakPart part_;
+  FaultPart part_;
   double height_;
   std::vector<Point> walls_, way_;
 };
@@ -56,7 +54,7 @@ class Piece {
 void addNames(MrptScene& scene, Box& box, double turn) {
   const double height = kLetterShare * (box.high.x - box.low.x);
   const Transform2D level{0, 0, -turn};
-  for (const BreakPart& part : kBreakParts) {
+  for (const FaultPart& part : kFaultParts) {
     if (!scene.getByName(part.name)) continue;
     auto text = viz::CText3D::Create(part.name, "sans", height, viz::FILL);
     text->setColor_u8(part.colour);
@@ -68,11 +66,11 @@ void addNames(MrptScene& scene, Box& box, double turn) {
 }
 
 /** The walls of the best run but this one. */
-void addOthers(const Comparison& comparison, const MapBreak& tear, const std::vector<Run>& runs,
+void addOthers(const Comparison& comparison, const Fault& fault, const std::vector<Run>& runs,
                MrptScene& scene) {
   for (const ComparedRun& other : comparison.runs) {
     const Run* run = findRun(runs, other.name);
-    if (other.name == tear.run || !run) continue;
+    if (other.name == fault.run || !run) continue;
     const Motion2D move(other.pose);
     std::vector<Point> walls;
     for (const WallPoint& wall : run->map.walls) walls.push_back(move(wall.place));
@@ -85,26 +83,22 @@ void addOthers(const Comparison& comparison, const MapBreak& tear, const std::ve
 
 }  // namespace
 
-MrptScene breakScene(const Comparison& comparison, const MapBreak& tear,
+MrptScene faultScene(const Comparison& comparison, const Fault& fault,
                      const std::vector<Run>& runs) {
   MrptScene scene;
   const double turn = uprightTurn(comparison, runs);
-  addOthers(comparison, tear, runs, scene);
-  std::vector<Point> shown{tear.place};
-  if (const Run* run = findRun(runs, tear.run)) {
-    const ComparedRun* compared = findRun(comparison.runs, tear.run);
+  addOthers(comparison, fault, runs, scene);
+  std::vector<Point> shown{fault.place};
+  if (const Run* run = findRun(runs, fault.run)) {
+    const ComparedRun* compared = findRun(comparison.runs, fault.run);
     const Transform2D pose = compared ? compared->pose : Transform2D();
-    Piece before(kBreakParts[0], kLayerStep), drawn(kBreakParts[1], 2 * kLayerStep),
-        untorn(kBreakParts[2], 3 * kLayerStep);
-    const FramesAtBreak frames = framesAtBreak(tear, run->scans);
-    for (std::size_t k = frames.first; k < frames.end; ++k) {
-      const ScanWalls& scan = run->scans[k];
-      if (k < frames.behind) {
-        before.add(scan, pose);
-        continue;
-      }
+    Piece before(kFaultParts[0], kLayerStep), drawn(kFaultParts[1], 2 * kLayerStep),
+        untorn(kFaultParts[2], 3 * kLayerStep);
+    for (const ScanWalls& scan : run->scans) {
+      if (fault.earlier.holds(scan.keyFrame)) before.add(scan, pose);
+      if (!fault.later.holds(scan.keyFrame)) continue;
       drawn.add(scan, pose);
-      untorn.add(scan, mendOf(tear) * pose);
+      if (fault.mend) untorn.add(scan, *fault.mend * pose);
     }
     for (const Piece* piece : {&before, &drawn, &untorn}) piece->addTo(scene, shown);
   }
@@ -115,37 +109,23 @@ MrptScene breakScene(const Comparison& comparison, const MapBreak& tear,
   return scene;
 }
 
-std::string breakSceneBytes(const Comparison& comparison, const MapBreak& tear,
+std::string faultSceneBytes(const Comparison& comparison, const Fault& fault,
                             const std::vector<Run>& runs) {
-  return gzippedObject(breakScene(comparison, tear, runs));
+  return gzippedObject(faultScene(comparison, fault, runs));
 }
 
-std::vector<PlacedScan> scansAtBreak(const MapBreak& tear, const Transform2D& pose,
+std::vector<PlacedScan> scansAtFault(const Fault& fault, const Transform2D& pose,
                                      const std::vector<PlacedScan>& all, bool isUntorn) {
-  const FramesAtBreak frames = framesAtBreak(tear, all);
-  const auto from = [&](std::size_t k) { return all.begin() + std::ptrdiff_t(k); };
-  std::vector<PlacedScan> scans(from(frames.first), from(frames.end));
-  scans = moved(std::move(scans), pose);
-  if (!isUntorn || scans.empty()) return scans;
-  const std::size_t behind = frames.behind - frames.first;
-  std::vector<PlacedScan> torn(scans.begin() + std::ptrdiff_t(behind), scans.end());
-  torn = moved(std::move(torn), mendOf(tear));
-  std::move(torn.begin(), torn.end(), scans.begin() + std::ptrdiff_t(behind));
-  return scans;
-}
-
-std::vector<PlacedScan> scansAtDoubled(const DoubledPlace& place,
-                                       const std::vector<PlacedScan>& all, bool isUntorn) {
-  const auto scansOf = [&](const DrawnStretch& stretch) {
+  const auto scansOf = [&](const KeyFrameRange& range, const Transform2D& motion) {
     std::vector<PlacedScan> scans;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(scans), [&](const PlacedScan& scan) {
-      return scan.keyFrame >= stretch.first && scan.keyFrame <= stretch.last;
-    });
-    return scans;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(scans),
+                 [&](const PlacedScan& scan) { return range.holds(scan.keyFrame); });
+    return moved(moved(std::move(scans), pose), motion);
   };
-  std::vector<PlacedScan> scans = scansOf(place.one), other = scansOf(place.other);
-  if (isUntorn) other = moved(std::move(other), place.mend);
-  std::move(other.begin(), other.end(), std::back_inserter(scans));
+  std::vector<PlacedScan> scans = scansOf(fault.earlier, {}),
+                          later = scansOf(fault.later,
+                                          isUntorn && fault.mend ? *fault.mend : Transform2D{});
+  std::move(later.begin(), later.end(), std::back_inserter(scans));
   return scans;
 }
 
