@@ -18,7 +18,7 @@ namespace roomgraph {
  *  where none lies between them. Each way keeps inside of the room, but where it ends, and at least
  *  `minClearance` from all obstacles [m], and has a junction wherever it crosses another one. What
  *  no such way leads to stays as it is, and so do other rooms. Vertices keep their numbers.
- *  O(v³ + n m) with v vertices, m ways and n squares of 1.5 m. */
+ *  O(v² + v m + n m) with v vertices, m ways and n squares of 1.5 m. */
 [[nodiscard]] TopologyGraph hallWays(TopologyGraph ways, const Room& room,
                                      const ObstacleRows& obstacles, double minClearance);
 
