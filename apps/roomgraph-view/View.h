@@ -33,8 +33,8 @@ struct View {
 };
 
 /** Reads what was named: one map, which is checked by itself, several runs, which are compared, or
- *  a comparison.json with its maps behind it. Those that are not named are looked for beside it, one
- *  folder above and in the current one. `say` is told what could not be used.
+ *  a comparison.json with its maps behind it. Those that are not named are looked for beside it,
+ *  one folder above and in the current one. `say` is told what could not be used.
  *  @throws DataError and UsageError where nothing is left to look at. */
 View loadView(const std::vector<std::string>& files, const ExtractOptions& options,
               const std::function<void(const std::string&)>& say);

@@ -58,4 +58,7 @@ inline TopologyGraph star(const std::vector<double>& lengths) {
   return joinedUp(vertices, ends);
 }
 
+/** No dead end leads into another region. */
+inline bool leadsNowhere(const Vertex&, const Vertex&) { return false; }
+
 }  // namespace roomgraph::test

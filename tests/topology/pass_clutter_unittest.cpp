@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hand_built.h"
 #include "random_maps.h"
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/grid/clear_clutter.h"
@@ -31,11 +32,12 @@ Passed passed(const MapText& map, double maxSize) {
     return cleared.grid.atOrUnknown(grid.frame.cellAt(at)) == State::free;
   };
   Passed all;
-  all.before = removeDeadEnds(topologyGraph(voronoi, kept), {}, grid.frame.resolution);
+  all.before =
+      removeDeadEnds(topologyGraph(voronoi, kept), {}, grid.frame.resolution, leadsNowhere);
   ObstacleCells walls{obstacles.frame, {}};
   for (const Cell cell : obstacles.cells)
     if (cleared.grid.atOrUnknown(cell) != State::free) walls.cells.push_back(cell);
-  all.after = passClutter(all.before, isClutter, ObstacleRows(walls), {});
+  all.after = passClutter(all.before, isClutter, ObstacleRows(walls), {}, leadsNowhere);
   return all;
 }
 

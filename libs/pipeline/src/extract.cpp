@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "roomgraph/base/sentence_text.h"
+#include "extraction_notes.h"
 #include "roomgraph/grid/ObstacleRows.h"
 #include "roomgraph/grid/wall_obstacles.h"
 #include "roomgraph/rooms/RoomIndex.h"
@@ -21,103 +21,6 @@
 
 namespace roomgraph {
 namespace {
-
-Note clutterNote(const std::vector<Clutter>& clutter) {
-  const auto largest =
-      std::max_element(clutter.begin(), clutter.end(),
-                       [](const Clutter& a, const Clutter& b) { return a.size < b.size; });
-  return {"clutter",
-          formatted("%zu free-standing obstacles up to %.2f m across are taken for clutter and do "
-                    "not split rooms",
-                    clutter.size(), largest->size),
-          std::array<double, 2>{largest->center.x, largest->center.y}};
-}
-
-/** Free width of the largest disc in an area [m]. */
-double freeWidth(const Area& area, double resolution) {
-  return 2 * (area.inscribedRadius - resolution / 2);
-}
-
-/** Where narrow regions outnumber the rooms, people miss them. */
-void noteNarrowRegions(const Stages& s, Notes& notes) {
-  const SplitAtDoorsOptions& options = s.options.splitAtDoors;
-  if (s.roomRadius > 0) return;
-  const auto isNarrow = [&](const Area& a) {
-    const double width = freeWidth(a, s.grid.frame.resolution);
-    return !a.isRoom() && width < options.openRoomWidth &&
-           area(a.polygon) <= options.maxElongation * width * width;
-  };
-  const auto count = std::count_if(s.areas.areas.begin(), s.areas.areas.end(), isNarrow);
-  if (std::size_t(count) <= s.result.rooms.size()) return;
-  notes.push_back(
-      {"narrow_regions",
-       formatted("%td regions narrower than %.2f m are not closed by doors and count as corridor: "
-                 "--set split_at_doors.open_room_width=%.2g makes rooms of them",
-                 count, options.openRoomWidth, options.minRoomWidth)});
-}
-
-/** Slivers between single beams, hundreds on some maps, are not worth a word. */
-void noteHalfSeen(const Stages& s, Notes& notes) {
-  double largest = s.options.splitAtDoors.maxLeftoverArea;
-  std::size_t count = 0;
-  Point place;
-  for (const Room& region : s.outlines.halfSeen()) {
-    const double size = area(region.polygon);
-    if (size < s.options.splitAtDoors.maxLeftoverArea) continue;
-    ++count;
-    if (size >= largest) largest = size, place = region.widestPlace;
-  }
-  if (count == 0) return;
-  notes.push_back(
-      {"half_seen",
-       formatted("%zu region%s that beams saw in part, up to %.1f m2, %s neither room nor corridor",
-                 count, count == 1 ? "" : "s", largest, count == 1 ? "is" : "are"),
-       std::array<double, 2>{place.x, place.y}});
-}
-
-/** Whether free floor runs out of the map. Without unknown cells that is outside of a drawing. */
-bool runsOut(const Grid& grid) {
-  const auto isFreeAt = [&](int x, int y) { return grid.at({x, y}) == State::free; };
-  bool isFree = false;
-  for (int x = 0; x < grid.frame.width; ++x)
-    isFree |= isFreeAt(x, 0) || isFreeAt(x, grid.frame.height - 1);
-  for (int y = 0; y < grid.frame.height; ++y)
-    isFree |= isFreeAt(0, y) || isFreeAt(grid.frame.width - 1, y);
-  return isFree && !grid.has(State::unknown);
-}
-
-/** Whether there is more wall than floor, as where free and occupied are exchanged. */
-bool isMostlyWall(const Grid& grid) {
-  const auto count = [&](State s) { return std::count(grid.cells.begin(), grid.cells.end(), s); };
-  return count(State::occupied) > count(State::free);
-}
-
-/** What was left out of the map, and why the result is empty or lacks rooms. */
-Notes extractionNotes(const Stages& s) {
-  Notes notes;
-  const bool isEmpty = s.result.graph.vertices().empty();
-  if (!s.cleared.clutter.empty()) notes.push_back(clutterNote(s.cleared.clutter));
-  const bool isOpen = s.result.rooms.empty() && runsOut(s.grid);
-  if (!isEmpty) noteHalfSeen(s, notes);
-  if (!isEmpty && !isOpen) noteNarrowRegions(s, notes);
-  const auto note = [&](const char* code, const char* text) { notes.push_back({code, text}); };
-  if (!s.grid.has(State::free))
-    note("no_free_cell", "the map has no free cell, so its graph is empty");
-  else if (s.obstacles.cells.empty())
-    note("no_obstacle", "the map has no obstacle, so there is nothing to keep clear of");
-  else if (isOpen)
-    note("open_edge",
-         "free floor reaches the edge of the map and counts as outside: a margin of "
-         "unknown cells closes it");
-  else if (isEmpty)
-    note("no_path", isMostlyWall(s.grid)
-                        ? "no place of the map is wide enough for a path, and there is more wall "
-                          "than floor: are free and occupied exchanged (negate in its yaml)?"
-                        : "no place of the map is wide enough for a path");
-  else if (s.result.rooms.empty())
-    note("no_room", "the map has no room, only corridors");
-  return notes;
-}
 
 /** Paper III-D: a cut this near to the end of a path is none [m]. */
 constexpr double kEpsilon = 1e-8;
@@ -175,7 +78,7 @@ bool areClosedRooms(const RegionOutlines& outlines, double clearance) {
 }
 
 /** Paths pass clutter on one side; but in a closed room they are all that there are. */
-TopologyGraph passedClutter(TopologyGraph graph, const Stages& s) {
+TopologyGraph passedClutter(TopologyGraph graph, const Stages& s, const LeadsOn& leadsOn) {
   if (areClosedRooms(s.outlines, s.clearance)) return graph;
   const auto& isOne = s.cleared.isClutter;
   if (std::find(isOne.begin(), isOne.end(), 1) == isOne.end()) return graph;
@@ -185,18 +88,31 @@ TopologyGraph passedClutter(TopologyGraph graph, const Stages& s) {
   ObstacleCells walls{s.obstacles.frame, {}};
   for (std::size_t i = 0; i < s.obstacles.cells.size(); ++i)
     if (!s.cleared.isClutter[i]) walls.cells.push_back(s.obstacles.cells[i]);
-  return passClutter(std::move(graph), isClutter, ObstacleRows(walls), s.options.deadEnds);
+  return passClutter(std::move(graph), isClutter, ObstacleRows(walls), s.options.deadEnds, leadsOn);
 }
 
-/** Where the regions are is asked only if there are several components. */
-TopologyGraph keptComponents(Stages& s) {
-  std::optional<RoomIndex> regions;
-  const auto regionAt = [&](Point place) {
-    if (!regions) regions.emplace(s.outlines.worthAWay());
-    return regions->roomAt(place);
-  };
-  return keepComponents(s.joinedUp, regionAt, s.options.keepComponents, s.notes);
-}
+/** The regions that are worth a way, found when they are asked for. */
+class WorthyRegions {
+ public:
+  explicit WorthyRegions(const RegionOutlines& outlines) : outlines_(outlines) {}
+
+  RoomId at(Point place) {
+    if (!index_) regions_ = outlines_.worthAWay(), index_.emplace(regions_);
+    return index_->roomAt(place);
+  }
+
+  /** Whether the tip is the middle of a region that the base is not in. */
+  bool leadsOn(const Vertex& tip, const Vertex& base) {
+    const RoomId region = at(tip.place);
+    return region && region != at(base.place) &&
+           distance(tip.place, regions_[region.index()].widestPlace) <= tip.clearance;
+  }
+
+ private:
+  const RegionOutlines& outlines_;
+  Rooms regions_;
+  std::optional<RoomIndex> index_;
+};
 
 /** Notes how long each step took that sets a member of some Stages:
  *
@@ -241,15 +157,20 @@ Stages extractGrid(Stages s, const std::function<Grid()>& cells, Diagram diagram
   // Ours: regions without clutter, and what no beam has seen whole
   step("clear_clutter").cleared = clearClutter(s.grid, s.obstacles, options.clearClutter);
   step("region_outlines").outlines = outlineRegions(s);
+  WorthyRegions regions(s.outlines);
+  const auto leadsOn = [&](const Vertex& tip, const Vertex& base) {
+    return regions.leadsOn(tip, base);
+  };
   // III-A: the topology graph
   step("keep_clear").clearEdges = keepClear(s.voronoi, s.isInside, s.clearance);
   step("drop_half_seen").clearEdges = dropHalfSeen(s.voronoi, std::move(s.clearEdges), s.outlines);
   step("topology_graph").topology = topologyGraph(s.voronoi, s.clearEdges);
   if (diagram == Diagram::isDropped) s.voronoi = {}, s.isInside = {}, s.clearEdges = {};
-  step("dead_ends").pruned = removeDeadEnds(s.topology, options.deadEnds, resolution);
-  step("pass_clutter").pruned = passedClutter(std::move(s.pruned), s);
+  step("dead_ends").pruned = removeDeadEnds(s.topology, options.deadEnds, resolution, leadsOn);
+  step("pass_clutter").pruned = passedClutter(std::move(s.pruned), s, leadsOn);
   step("join_vertices").joinedUp = joinVertices(s.pruned, options.joinVertices, resolution);
-  step("keep_components").kept = keptComponents(s);
+  step("keep_components").kept = keepComponents(
+      s.joinedUp, [&](Point place) { return regions.at(place); }, options.keepComponents, s.notes);
   // III-B: the rooms
   step("trace_rooms").rooms = s.outlines.rooms();
   // III-C to III-G: rooms in the graph

@@ -52,8 +52,8 @@ TopologyGraph removeDeadEndsWhere(TopologyGraph graph, const DeadEndTest& isShor
   return graph;
 }
 
-TopologyGraph removeDeadEnds(TopologyGraph graph, const DeadEndsOptions& options,
-                             double resolution) {
+TopologyGraph removeDeadEnds(TopologyGraph graph, const DeadEndsOptions& options, double resolution,
+                             const LeadsOn& leadsOn) {
   if (options.allOnce)
     removeLayer(graph, [](const Vertex&, const Vertex&, const Path&) { return true; });
   if (options.minLengthPx > 0) {
@@ -62,17 +62,18 @@ TopologyGraph removeDeadEnds(TopologyGraph graph, const DeadEndsOptions& options
     });
     return graph;
   }
-  return removeDeadEndsWhere(
-      std::move(graph), [&](const Vertex& tip, const Vertex& base, const Path& path) {
-        return isWithin(base.clearance, path.length + tip.clearance, options);
-      });
+  return removeDeadEndsWhere(std::move(graph), [&](const Vertex& tip, const Vertex& base,
+                                                   const Path& path) {
+    return isWithin(base.clearance, path.length + tip.clearance, options) && !leadsOn(tip, base);
+  });
 }
 
 TopologyGraph removeEndsAmongClutter(TopologyGraph graph, const DeadEndsOptions& options,
-                                     const ObstacleRows& walls) {
+                                     const ObstacleRows& walls, const LeadsOn& leadsOn) {
   return removeDeadEndsWhere(
       std::move(graph), [&](const Vertex& tip, const Vertex& base, const Path& path) {
         const double farthest = path.length + tip.clearance;
+        if (leadsOn(tip, base)) return false;
         if (isWithin(base.clearance, farthest, options)) return true;
         // From here on it is within, whatever it is: no need to look farther, but for rounding.
         const double enough =

@@ -148,13 +148,14 @@ class ClutterPasser {
 }  // namespace
 
 TopologyGraph passClutter(TopologyGraph graph, const PlaceTest& isClutter,
-                          const ObstacleRows& walls, const DeadEndsOptions& options) {
+                          const ObstacleRows& walls, const DeadEndsOptions& options,
+                          const LeadsOn& leadsOn) {
   for (;;) {
     const std::vector<bool> keepEdge = ClutterPasser(graph, isClutter).keptEdges();
     if (std::find(keepEdge.begin(), keepEdge.end(), false) == keepEdge.end()) return graph;
     const std::vector<bool> keepVertex(graph.vertices().size(), true);
     graph = dissolveThrough(keepOnly(std::move(graph), keepVertex, keepEdge));
-    graph = removeEndsAmongClutter(std::move(graph), options, walls);
+    graph = removeEndsAmongClutter(std::move(graph), options, walls, leadsOn);
   }
 }
 

@@ -22,6 +22,9 @@ struct DeadEndsOptions {
 };
 void describe(DeadEndsOptions& options, FieldTable& table);
 
+/** Whether a dead end from `base` to `tip` leads into a region that is worth a way. */
+using LeadsOn = std::function<bool(const Vertex& tip, const Vertex& base)>;
+
 /** Asked for a dead end: its tip, the vertex where it starts, and its path from either. */
 using DeadEndTest = std::function<bool(const Vertex& tip, const Vertex& base, const Path& path)>;
 
@@ -30,17 +33,19 @@ using DeadEndTest = std::function<bool(const Vertex& tip, const Vertex& base, co
 [[nodiscard]] TopologyGraph removeDeadEndsWhere(TopologyGraph graph, const DeadEndTest& isShort);
 
 /** Removes the dead ends that lead nowhere: all those under the limit at once, then again, until
- *  none is left; so the answer does not depend on their order. A component never vanishes: its last
- *  edge stays, and a vertex that loses its last edge stays as a junction without a way.
- *  O(rounds * edges). */
+ *  none is left; so the answer does not depend on their order. One that leads on is none of them,
+ *  however large the hall is that it starts in, unless lengths in pixels are asked for. A component
+ *  never vanishes: its last edge stays, and a vertex that loses its last edge stays as a junction
+ *  without a way. O(rounds * edges). */
 [[nodiscard]] TopologyGraph removeDeadEnds(TopologyGraph graph, const DeadEndsOptions& options,
-                                           double resolution);
+                                           double resolution, const LeadsOn& leadsOn);
 
 /** The same by the reach alone, where a junction's disc may also be that which touches only
  *  `walls`, the obstacles but the clutter: what ends between chairs lies in the hall that they
  *  stand in. O(rounds * edges) and, for each dead end, the cells of `walls` within its length. */
 [[nodiscard]] TopologyGraph removeEndsAmongClutter(TopologyGraph graph,
                                                    const DeadEndsOptions& options,
-                                                   const ObstacleRows& walls);
+                                                   const ObstacleRows& walls,
+                                                   const LeadsOn& leadsOn);
 
 }  // namespace roomgraph

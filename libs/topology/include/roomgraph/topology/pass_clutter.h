@@ -23,6 +23,7 @@ using PlaceTest = std::function<bool(Point)>;  ///< whether something is true of
  *  Ways round anything that is not `isClutter`, asked for places of obstacles, stay. A loop that
  *  begins and ends at one junction goes. Nothing is parted. O(rounds * n log n). */
 [[nodiscard]] TopologyGraph passClutter(TopologyGraph graph, const PlaceTest& isClutter,
-                                        const ObstacleRows& walls, const DeadEndsOptions& options);
+                                        const ObstacleRows& walls, const DeadEndsOptions& options,
+                                        const LeadsOn& leadsOn);
 
 }  // namespace roomgraph
