@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "ClutterGroup.h"
 #include "roomgraph/geometry/Transform2D.h"
-#include "roomgraph/grid/CellBox.h"
 
 namespace roomgraph {
 namespace {
@@ -21,60 +21,11 @@ constexpr double kTableShare = 0.3;
 constexpr int kLooks = 16;
 /** A wall goes on for so many times its thickness. */
 constexpr double kWallShape = 3;
-/** Lines through a piece, beside that along it, on which walls are looked for. */
-constexpr int kLines = 32;
+/** Lines through a piece, beside that along it, on which walls are looked for: so many that one of
+ *  them meets a thin wall behind a gap. */
+constexpr int kLines = 128;
 
 enum class Mark : std::uint8_t { unseen, inGroup, small, other };
-
-/** Connected cells that are not free. */
-struct Group {
-  std::vector<Cell> cells;
-  CellBox box;
-  std::size_t rim = 0, wall = 0;  // cells at free ones, and occupied cells
-  double size = 0;                // [cells]
-
-  bool isSeen() const { return 2 * wall >= rim; }
-  Point middle() const {
-    return 0.5 * Point{double(box.low.x + box.high.x), double(box.low.y + box.high.y)};
-  }
-};
-
-/** How far apart two of its cells are, with half of each: about the same however it is turned. */
-double sizeOf(const Group& group) {
-  std::vector<std::pair<int, int>> rows(std::size_t(group.box.height()), {INT_MAX, INT_MIN});
-  for (const Cell cell : group.cells) {
-    auto& [left, right] = rows[std::size_t(cell.y - group.box.low.y)];
-    left = std::min(left, cell.x), right = std::max(right, cell.x);
-  }
-  double squares = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (std::size_t j = i; j < rows.size(); ++j) {
-      const int across = std::max(rows[i].second - rows[j].first, rows[j].second - rows[i].first);
-      squares = std::max(squares, squaredNorm({double(across), double(j - i)}));
-    }
-  return std::sqrt(squares) + 1;
-}
-
-/** The direction in which a group is longest. */
-Point directionOf(const Group& group) {
-  double xx = 0, xy = 0, yy = 0;
-  const Point middle = group.middle();
-  for (const Cell cell : group.cells) {
-    const double x = cell.x - middle.x, y = cell.y - middle.y;
-    xx += x * x, xy += x * y, yy += y * y;
-  }
-  return turned({1, 0}, std::atan2(2 * xy, xx - yy) / 2);
-}
-
-/** How wide a group is across a direction [cells]. */
-double widthAcross(const Group& group, Point direction) {
-  double low = 0, high = 0;
-  for (const Cell cell : group.cells) {
-    const double place = cross(direction, Point{double(cell.x), double(cell.y)} - group.middle());
-    low = std::min(low, place), high = std::max(high, place);
-  }
-  return high - low + 1;
-}
 
 class ClutterFinder {
  public:
@@ -87,19 +38,19 @@ class ClutterFinder {
   /** Frees the groups of these cells that are clutter, and tells about them: first what is small,
    *  then all tables among what is left, so that the order of the cells does not matter. */
   std::vector<Clutter> clear(const std::vector<Cell>& obstacles) {
-    std::vector<Group> found;
+    std::vector<ClutterGroup> found;
     for (const Cell cell : obstacles) {
       if (!grid_.frame.contains(cell) || marks_[grid_.frame.index(cell)] != Mark::unseen) continue;
       const bool isFound = collect(cell);
       mark(group_, isFound && isSmall(group_) ? Mark::small : Mark::other);
       if (isFound) found.push_back(std::move(group_));
     }
-    drop(found, [&](const Group& group) { return isSmall(group) && isPieceOfWall(group); });
-    for (const Group& group : found)
+    drop(found, [&](const ClutterGroup& group) { return isSmall(group) && isPieceOfWall(group); });
+    for (const ClutterGroup& group : found)
       if (isSmall(group)) freeCells(group);
-    drop(found, [&](const Group& group) { return !isSmall(group) && !isTable(group); });
+    drop(found, [&](const ClutterGroup& group) { return !isSmall(group) && !isTable(group); });
     std::vector<Clutter> clutter;
-    for (const Group& group : found) {
+    for (const ClutterGroup& group : found) {
       freeCells(group);
       const GridFrame& frame = grid_.frame;
       if (group.isSeen())
@@ -111,15 +62,15 @@ class ClutterFinder {
 
  private:
   template <class Stays>
-  static void drop(std::vector<Group>& groups, const Stays& stays) {
+  static void drop(std::vector<ClutterGroup>& groups, const Stays& stays) {
     groups.erase(std::remove_if(groups.begin(), groups.end(), stays), groups.end());
   }
 
-  void mark(const Group& group, Mark as) {
+  void mark(const ClutterGroup& group, Mark as) {
     for (const Cell cell : group.cells) marks_[grid_.frame.index(cell)] = as;
   }
 
-  void freeCells(const Group& group) {
+  void freeCells(const ClutterGroup& group) {
     for (const Cell cell : group.cells) grid_.cells[grid_.frame.index(cell)] = State::free;
   }
 
@@ -146,9 +97,9 @@ class ClutterFinder {
 
   double metres(double cells) const { return grid_.frame.resolution * cells; }
 
-  bool isSmall(const Group& group) const { return metres(group.size) <= maxSize_; }
+  bool isSmall(const ClutterGroup& group) const { return metres(group.size) <= maxSize_; }
 
-  static bool isCompact(const Group& group) {
+  static bool isCompact(const ClutterGroup& group) {
     return double(group.cells.size()) >= kTableShare * group.size * group.size;
   }
 
@@ -159,7 +110,7 @@ class ClutterFinder {
 
   /** Whether it fills a part of a gap between two walls that are in line with it, as do the pier
    *  between two doors and the posts of a glass front. Not what stands in a single door. */
-  bool isPieceOfWall(const Group& group) const {
+  bool isPieceOfWall(const ClutterGroup& group) const {
     if (!group.isSeen()) return false;
     const auto isInLine = [&](Point start, Point direction) {
       const auto ahead = wallEndFrom(start, direction);
@@ -204,19 +155,29 @@ class ClutterFinder {
   /** Of a wall that begins at a place and goes on in a direction [cells]; 0 where none does, but
    *  something stands there across it, or as large. */
   double thicknessAt(Point place, Point direction) const {
-    const int most = int(maxSize_ / grid_.frame.resolution);
-    const auto run = [&](Point from, Point to) {
-      int count = 0;
-      while (count < most && isSolid(cellAt(from + double(count + 1) * to))) ++count;
-      return count;
-    };
-    const int length = 1 + run(place, direction), half = length / 2;
-    const Point inside = place + double(half) * direction, across = turned(direction, M_PI / 2);
-    const int thickness = 1 + run(inside, across) + run(inside, -1 * across);
+    const Point across = turned(direction, M_PI / 2);
+    const int length = 1 + run([&](int step) {
+                         const Point on = place + double(step) * direction;
+                         return isSolid(on) || isSolid(on + across) || isSolid(on - across);
+                       });
+    const Point inside = place + double(length / 2) * direction;
+    const int thickness = 1 +
+                          run([&](int step) { return isSolid(inside + double(step) * across); }) +
+                          run([&](int step) { return isSolid(inside - double(step) * across); });
     return kWallShape * thickness <= length ? thickness : 0;
   }
 
-  bool isSolid(Cell cell) const {
+  /** How many steps something is there from the first one on, as far as a wall is followed. */
+  template <class IsThere>
+  int run(const IsThere& isThere) const {
+    const int most = int(maxSize_ / grid_.frame.resolution);
+    int count = 0;
+    while (count < most && isThere(count + 1)) ++count;
+    return count;
+  }
+
+  bool isSolid(Point place) const {
+    const Cell cell = cellAt(place);
     return grid_.atOrUnknown(cell) != State::free &&
            (!grid_.frame.contains(cell) || marks_[grid_.frame.index(cell)] != Mark::small);
   }
@@ -226,7 +187,7 @@ class ClutterFinder {
   /** Whether it has a room round it, which may be larger where nothing else is near. What stands in
    *  a hall splits nothing, and a row of cupboards with doors between them has space on two sides:
    *  both stay. */
-  bool isTable(const Group& group) {
+  bool isTable(const ClutterGroup& group) {
     mark(group, Mark::inGroup);
     const bool isAlone = looksToObstacles(group, maxSize_) == 0;
     const int walls = looksToObstacles(group, isAlone ? 2 * maxTable_ : maxTable_);
@@ -235,7 +196,7 @@ class ClutterFinder {
   }
 
   /** In how many directions something stands within so much free space of a group. */
-  int looksToObstacles(const Group& group, double widest) const {
+  int looksToObstacles(const ClutterGroup& group, double widest) const {
     int count = 0;
     for (int k = 0; k < kLooks; ++k) {  // never along an axis, where cells could tie
       const Point direction = turned({1, 0}, (k + 0.5) * 2 * M_PI / kLooks);
@@ -269,7 +230,7 @@ class ClutterFinder {
   Grid& grid_;
   double maxSize_, maxTable_;  // [m]
   std::vector<Mark> marks_;
-  Group group_;
+  ClutterGroup group_;
   std::vector<Cell> open_;  // of it, whose neighbours are not visited yet
 };
 

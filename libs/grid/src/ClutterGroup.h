@@ -1,0 +1,32 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "roomgraph/geometry/Point.h"
+#include "roomgraph/grid/CellBox.h"
+
+namespace roomgraph {
+
+/** Connected cells that are not free. */
+struct ClutterGroup {
+  std::vector<Cell> cells;
+  CellBox box;
+  std::size_t rim = 0, wall = 0;  // cells at free ones, and occupied cells
+  double size = 0;                // [cells]
+
+  bool isSeen() const { return 2 * wall >= rim; }
+  Point middle() const {
+    return 0.5 * Point{double(box.low.x + box.high.x), double(box.low.y + box.high.y)};
+  }
+};
+
+/** How far apart two of its cells are, with half of each: about the same however it is turned. */
+double sizeOf(const ClutterGroup& group);
+
+/** The direction in which a group is longest. */
+Point directionOf(const ClutterGroup& group);
+
+/** How wide a group is across a direction [cells]. */
+double widthAcross(const ClutterGroup& group, Point direction);
+
+}  // namespace roomgraph
