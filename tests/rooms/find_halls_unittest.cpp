@@ -13,11 +13,10 @@ namespace {
 /** How many regions of a plan would be halls if all were corridor. */
 int hallsOf(const Plan& plan) {
   const Inside inside = plan.inside();
-  const double resolution = inside.grid.frame.resolution;
   const std::vector<std::uint8_t> allWalls(inside.voronoi.obstacles.size(), 1);
   SplitAtDoorsOptions options;
-  Regions regions = splitAtDoors(inside.voronoi, inside.isInside, allWalls, 0.75 * resolution,
-                                 resolution, options);
+  Regions regions =
+      splitAtDoors(inside.voronoi, inside.isInside, allWalls, 0.15, inside.grid, options);
   regions.roomCount = 0;
   const std::vector<std::uint8_t> isHall = findHalls(inside.voronoi, regions, options);
   EXPECT_EQ(isHall.size(), regions.count);

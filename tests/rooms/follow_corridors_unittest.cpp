@@ -11,7 +11,8 @@ namespace {
 Regions split(const Plan& plan) {
   const Inside inside = plan.inside();
   const std::vector<std::uint8_t> allWalls(inside.voronoi.obstacles.size(), 1);
-  return splitAtDoors(inside.voronoi, inside.isInside, allWalls, 0.15, 0.2, SplitAtDoorsOptions());
+  return splitAtDoors(inside.voronoi, inside.isInside, allWalls, 0.15, inside.grid,
+                      SplitAtDoorsOptions());
 }
 
 /** A corridor of 1.8 m. In its middle 4 m of it are `wide` cells wide, behind doors of `door`. */

@@ -13,16 +13,27 @@ namespace roomgraph::test {
 namespace {
 
 Regions split(const Inside& inside, const SplitAtDoorsOptions& options = {}) {
-  const double resolution = inside.grid.frame.resolution;
   const std::vector<std::uint8_t> allWalls(inside.voronoi.obstacles.size(), 1);
-  return splitAtDoors(inside.voronoi, inside.isInside, allWalls, 0.75 * resolution, resolution,
-                      options);
+  return splitAtDoors(inside.voronoi, inside.isInside, allWalls,
+                      0.75 * inside.grid.frame.resolution, inside.grid, options);
 }
 
 TEST(SplitAtDoors, aDoorPartsTwoRooms) {
   const Regions regions = split(Plan(41, 20).wall(21, 1, 1, 20).gap(21, 8, 1, 5).inside());
   EXPECT_EQ(regions.roomCount, 2u);
   EXPECT_EQ(regions.count, 2u);
+}
+
+/** A corridor of 1.2 m; on it a room of 2.2 m behind a door of 1 m, and two rooms beside that. */
+Plan doorOnCorridor() {
+  Plan plan(60, 19);
+  plan.wall(1, 7, 60, 1);
+  for (const int x : {21, 33}) plan.wall(x, 8, 1, 12);
+  return plan.gap(25, 7, 5, 1);
+}
+
+TEST(SplitAtDoors, aDoorInAWallMayBeNearlyAsWideAsItsCorridor) {
+  EXPECT_EQ(split(doorOnCorridor().inside()).count, 4u);
 }
 
 TEST(SplitAtDoors, aWideOpeningDoesNot) {
@@ -140,8 +151,8 @@ TEST(SplitAtDoors, whatTheUnknownBoundsIsHalfSeen) {
   std::vector<std::uint8_t> isWall(inside.voronoi.obstacles.size(), 1);
   for (std::size_t obstacle = 0; obstacle < isWall.size(); ++obstacle)
     isWall[obstacle] = inside.voronoi.obstacles[obstacle].x < 22 * 0.2;
-  const Regions regions =
-      splitAtDoors(inside.voronoi, inside.isInside, isWall, 0.15, 0.2, SplitAtDoorsOptions());
+  const Regions regions = splitAtDoors(inside.voronoi, inside.isInside, isWall, 0.15, inside.grid,
+                                       SplitAtDoorsOptions());
   EXPECT_EQ(regions.roomCount, 1u);
   EXPECT_EQ(regions.seenCount, 1u);
   EXPECT_EQ(regions.count, 2u);

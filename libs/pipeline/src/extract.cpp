@@ -58,7 +58,8 @@ Regions findRegions(const VoronoiGraph& voronoi, const InsideFlags& isInside,
   const double resolution = s.grid.frame.resolution;
   const double minClearance = effectiveClearance(anyPassage, resolution);
   if (s.roomRadius > 0) return findRooms(voronoi, isInside, s.roomRadius, minClearance);
-  return splitAtDoors(voronoi, isInside, isWall, minClearance, resolution, s.options.splitAtDoors);
+  return splitAtDoors(voronoi, isInside, isWall, minClearance, s.cleared.grid,
+                      s.options.splitAtDoors);
 }
 
 /** On the map without clutter. Its diagram is as large as the other, and not needed for long. */

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "RegionGroups.h"
+#include "goes_on.h"
 
 namespace roomgraph {
 namespace {
@@ -16,15 +17,6 @@ double narrowness(double width, double beside) {
 /** Gaps beside furniture are narrower than the narrowest room, and few doors are. */
 double shareOfNarrowestRoom(double width, double narrowest) {
   return width < narrowest ? width / narrowest : 1;
-}
-
-/** Whether wall, or what nobody has seen, goes on beyond `end` in line with the opening. */
-bool goesOn(const Grid& grid, Point end, Point other) {
-  const double width = distance(end, other), step = grid.frame.resolution;
-  const Point out = (step / width) * (end - other);
-  for (int i = 1; i * step <= width / 2 * (1 + kSameWidth); ++i)
-    if (grid.isFree(end + double(i) * out)) return false;
-  return true;
 }
 
 PassageReason reasonOf(const Grid& grid, const RegionBorder& border, bool isNarrow) {

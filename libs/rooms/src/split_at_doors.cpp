@@ -8,6 +8,7 @@
 #include "RegionGroups.h"
 #include "find_halls.h"
 #include "follow_corridors.h"
+#include "goes_on.h"
 #include "join_leftovers.h"
 #include "number_regions.h"
 #include "region_kinds.h"
@@ -22,7 +23,7 @@ using Neighbours = RegionGroups::Neighbours;
  *  is open to. So a door frame goes to one of its rooms, and not to both. */
 class PassageJoiner {
  public:
-  explicit PassageJoiner(RegionGroups& regions) : regions_(regions) {}
+  PassageJoiner(RegionGroups& regions, const Grid& grid) : regions_(regions), grid_(grid) {}
 
   void join(const std::uint32_t* first, const std::uint32_t* last) {
     edges_.assign(first, last);
@@ -47,7 +48,8 @@ class PassageJoiner {
       clearance_ = regions_.clearance(edge);
       // By the passage, not by the narrower region: that may have grown to here from the far side.
       const double least = regions_.options().narrowRatio * regions_.radius(b) * (1 - kSameWidth);
-      if (!isDoorBetween(a, b) && clearance_ >= least) pairs_.push_back({a, b, regions_.radius(b)});
+      if (clearance_ >= least && !isDoorBetween(a, b) && !isDoorInWall(edge, a, b))
+        pairs_.push_back({a, b, regions_.radius(b)});
       return false;
     };
     edges_.erase(std::remove_if(edges_.begin(), edges_.end(), isJoined), edges_.end());
@@ -56,6 +58,15 @@ class PassageJoiner {
   bool isDoorBetween(std::uint32_t a, std::uint32_t b) const {
     return isDoor(regions_, clearance_, a, b, regions_.options().maxRatio,
                   regions_.options().maxWidth);
+  }
+
+  /** One that is hardly narrower than the narrower of its rooms, as of a closet: an opening in a
+   *  wall that goes on at both of its ends. */
+  bool isDoorInWall(const VoronoiEdge& edge, std::uint32_t a, std::uint32_t b) const {
+    if (!isDoor(regions_, clearance_, a, b, 1, regions_.options().corridorDoor)) return false;
+    const Point left = regions_.voronoi().obstacles[edge.left];
+    const Point right = regions_.voronoi().obstacles[edge.right];
+    return wallGoesOn(grid_, left, right) && wallGoesOn(grid_, right, left);
   }
 
   bool joinEqual() {
@@ -91,16 +102,17 @@ class PassageJoiner {
   }
 
   RegionGroups& regions_;
+  const Grid& grid_;
   std::vector<std::uint32_t> edges_;  // between regions that have not met yet
   double clearance_ = 0;              // of all these passages
   std::vector<Pair> pairs_, chosen_;  // members, as most widths have but one edge
 };
 
 /** From wide to narrow: what is no door joins. */
-void joinOpenPassages(RegionGroups& regions) {
+void joinOpenPassages(RegionGroups& regions, const Grid& grid) {
   const std::vector<std::uint32_t>& edges = regions.edges();
   const auto width = [&](std::size_t i) { return regions.voronoi().edges[edges[i]].minClearance; };
-  PassageJoiner joiner(regions);
+  PassageJoiner joiner(regions, grid);
   for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
     while (end < edges.size() && width(end) >= width(first) * (1 - kSameWidth)) ++end;
     joiner.join(edges.data() + first, edges.data() + end);
@@ -146,16 +158,18 @@ void describe(SplitAtDoorsOptions& options, FieldTable& table) {
                "A region wider than this is a room, however long it is.");
   table.number(section, "corridor_ratio", options.corridorRatio, "", 0, 1,
                "The same as max_ratio between two pieces of corridor.");
-  table.number(section, "corridor_door", options.corridorDoor, "m", 0, 100,
-               "The same as max_width between two pieces of corridor.");
+  table.number(
+      section, "corridor_door", options.corridorDoor, "m", 0, 100,
+      "The same as max_width between two pieces of corridor, and in a wall that goes on at both "
+      "ends of the passage, which is a door there however little narrower than its sides.");
 }
 
 Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
-                     const std::vector<std::uint8_t>& isWall, double minClearance,
-                     double resolution, const SplitAtDoorsOptions& options) {
+                     const std::vector<std::uint8_t>& isWall, double minClearance, const Grid& grid,
+                     const SplitAtDoorsOptions& options) {
   const InsideFlags isClear = clearInside(voronoi, isInside, minClearance);
-  RegionGroups regions(voronoi, isClear, minClearance, resolution / 2, options);
-  joinOpenPassages(regions);
+  RegionGroups regions(voronoi, isClear, minClearance, grid.frame.resolution / 2, options);
+  joinOpenPassages(regions, grid);
   regions.sumAreas();
   regions.sumWalls(isWall);
   joinLeftovers(regions);

@@ -20,7 +20,7 @@ struct SplitAtDoorsOptions {
   double maxElongation = 3.5;     ///< of a room; what is longer is a corridor
   double maxCorridorWidth = 6.0;  ///< a wider region is a room, however long [m]
   double corridorRatio = 0.65;    ///< maxRatio between two pieces of corridor
-  double corridorDoor = 1.8;      ///< maxWidth between two pieces of corridor [m]
+  double corridorDoor = 1.8;      ///< maxWidth between pieces of corridor, and in a wall [m]
 };
 void describe(SplitAtDoorsOptions& options, FieldTable& table);
 

@@ -1,0 +1,19 @@
+#pragma once
+#include "roomgraph/grid/Grid.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   an opening, and the map without clutter
+// Out:  whether its wall goes on beside it
+// Next: splitAtDoors, passageEvidence
+
+/** Whether wall, or what nobody has seen, goes on beyond `end` in line with an opening that ends
+ *  there, for half of the opening's width. O(width in cells). */
+bool goesOn(const Grid& grid, Point end, Point other);
+
+/** The same where most of it is wall, to a cell on either side, and no block: at the end of it
+ *  thinner than the opening is wide. */
+bool wallGoesOn(const Grid& grid, Point end, Point other);
+
+}  // namespace roomgraph
