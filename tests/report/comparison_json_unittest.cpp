@@ -90,6 +90,13 @@ TEST(ComparisonText, aNameStaysOnItsLine) {
   EXPECT_NE(text.find("a?b?[31m"), std::string::npos);
 }
 
+TEST(ComparisonText, saysWhichRunTheOthersAreMeasuredAgainst) {
+  Comparison comparison = sample();
+  EXPECT_NE(comparisonText(comparison).find("  reference\n"), std::string::npos);
+  comparison.reference.reset();
+  EXPECT_EQ(comparisonText(comparison).find("  reference\n"), std::string::npos);
+}
+
 TEST(ComparisonText, isTheSameOfTheFile) {
   Comparison comparison = sample();
   comparison.runs[0].score->mapError = 0.0815, comparison.runs[0].score->score = 84.95;

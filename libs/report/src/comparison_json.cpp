@@ -198,9 +198,9 @@ std::string comparisonText(const Comparison& comparison) {
     std::string name = printable(run.name);
     name.resize(width, ' ');
     const std::string share = seen >= 0 ? formatted("%.0f %%", 100 * seen) : "-";
-    const std::string certainty = run.name == comparison.reference
-                                      ? ""
-                                      : std::string("  ") + nameOf(comparison.certaintyOf(run));
+    const std::string certainty =
+        std::string("  ") +
+        (run.name == comparison.reference ? "reference" : nameOf(comparison.certaintyOf(run)));
     const std::string line = run.score ? scoreText(*run.score, share, certainty)
                                        : formatted("  %5s %12s  %13s  %13s  %8s%s\n", "-", "", "-",
                                                    "", share.c_str(), certainty.c_str());
