@@ -130,6 +130,29 @@ Grid wallWithGaps(const std::vector<std::pair<int, int>>& gaps) {
   return gridFrom(rows);
 }
 
+/** A corridor of 1.6 m, with partitions behind both of its walls, and a post of 0.1 m in it. */
+Grid postInCorridor(int wall, int postX) {
+  constexpr int kWidth = 100, kHeight = 72, kLow = 20, kHigh = 52;  // cells
+  std::vector<std::string> rows(kHeight, std::string(kWidth, '.'));
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const bool isAlong = (y >= kLow - wall && y < kLow) || (y >= kHigh && y < kHigh + wall);
+      const bool isPartition = x / wall == 50 / wall && (y < kLow || y >= kHigh);
+      const bool isRim = x == 0 || x == kWidth - 1 || y == 0 || y == kHeight - 1;
+      if (isAlong || isPartition || isRim) rows[std::size_t(y)][std::size_t(x)] = '#';
+    }
+  for (const int y : {35, 36})
+    for (const int x : {postX, postX + 1}) rows[std::size_t(y)][std::size_t(x)] = '#';
+  return gridFrom(rows, 0.05);
+}
+
+TEST(ClearClutter, whatStandsInACorridorIsNoWall) {
+  for (const int wall : {1, 2, 4})
+    for (int postX = 44; postX < 56; ++postX)
+      EXPECT_EQ(cleared(postInCorridor(wall, postX), 1.2).clutter.size(), 1u)
+          << wall << " at " << postX;
+}
+
 TEST(ClearClutter, aPierBetweenTwoDoorsIsWall) {
   EXPECT_TRUE(cleared(wallWithGaps({{15, 24}, {28, 37}}), 1.2).clutter.empty());
   EXPECT_EQ(cleared(wallWithGaps({{5, 24}, {28, 37}}), 1.2).clutter.size(), 1u)

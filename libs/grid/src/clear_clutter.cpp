@@ -19,7 +19,7 @@ constexpr double kTableShare = 0.3;
 /** In so many directions one looks from a table for walls; in more than half of them there are
  *  some. */
 constexpr int kLooks = 16;
-/** A wall goes on for so many times its thickness. */
+/** A wall goes on for so many times the thickness of the band that it lies in. */
 constexpr double kWallShape = 3;
 /** Lines through a piece, beside that along it, on which walls are looked for: so many that one of
  *  them meets a thin wall behind a gap. */
@@ -153,18 +153,21 @@ class ClutterFinder {
   }
 
   /** Of a wall that begins at a place and goes on in a direction [cells]; 0 where none does, but
-   *  something stands there across it, or as large. */
+   *  something stands there across it, or as large. A ragged or slanted one goes on in a band that
+   *  is a cell wider on either side. */
   double thicknessAt(Point place, Point direction) const {
     const Point across = turned(direction, M_PI / 2);
     const int length = 1 + run([&](int step) {
                          const Point on = place + double(step) * direction;
                          return isSolid(on) || isSolid(on + across) || isSolid(on - across);
                        });
-    const Point inside = place + double(length / 2) * direction;
-    const int thickness = 1 +
-                          run([&](int step) { return isSolid(inside + double(step) * across); }) +
-                          run([&](int step) { return isSolid(inside - double(step) * across); });
-    return kWallShape * thickness <= length ? thickness : 0;
+    const auto thicknessOf = [&](Point inside) {
+      return 1 + run([&](int step) { return isSolid(inside + double(step) * across); }) +
+             run([&](int step) { return isSolid(inside - double(step) * across); });
+    };
+    const Point halfway = place + double(length / 2) * direction;
+    const int thickness = std::max(thicknessOf(place), thicknessOf(halfway));
+    return kWallShape * (thickness + 2) <= length ? thickness : 0;
   }
 
   /** How many steps something is there from the first one on, as far as a wall is followed. */

@@ -29,11 +29,11 @@ bool wallGoesOn(const Grid& grid, Point end, Point other) {
     return grid.atOrUnknown(grid.frame.cellAt(p)) == State::occupied;
   };
   int places = 0, walls = 0;
-  Point last = end, across;
+  Point last = end, across;  // of the wall
   const bool isClosed = isEveryPlaceBeyond(grid, end, other, [&](Point p, Point aside) {
-    ++places;
+    ++places, across = aside;
+    if (isWall(p)) last = p;
     walls += isWall(p) || isWall(p + aside) || isWall(p - aside) ? 1 : 0;
-    last = p, across = aside;
     return !grid.isFree(p);
   });
   if (!isClosed || 2 * walls < places) return false;

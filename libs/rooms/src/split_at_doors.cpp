@@ -63,7 +63,8 @@ class PassageJoiner {
   /** One that is hardly narrower than the narrower of its rooms, as of a closet: an opening in a
    *  wall that goes on at both of its ends. */
   bool isDoorInWall(const VoronoiEdge& edge, std::uint32_t a, std::uint32_t b) const {
-    if (!isDoor(regions_, clearance_, a, b, 1, regions_.options().corridorDoor)) return false;
+    const double narrower = clearance_ + regions_.halfCell() / 2;
+    if (!isDoor(regions_, narrower, a, b, 1, regions_.options().corridorDoor)) return false;
     const Point left = regions_.voronoi().obstacles[edge.left];
     const Point right = regions_.voronoi().obstacles[edge.right];
     return wallGoesOn(grid_, left, right) && wallGoesOn(grid_, right, left);
