@@ -165,8 +165,9 @@ class ClutterFinder {
       return 1 + run([&](int step) { return isSolid(inside + double(step) * across); }) +
              run([&](int step) { return isSolid(inside - double(step) * across); });
     };
-    const Point halfway = place + double(length / 2) * direction;
-    const int thickness = std::max(thicknessOf(place), thicknessOf(halfway));
+    const int half = length / 2;
+    const int thickness =
+        std::max(thicknessOf(place), thicknessOf(place + double(half) * direction));
     return kWallShape * (thickness + 2) <= length ? thickness : 0;
   }
 
@@ -188,7 +189,8 @@ class ClutterFinder {
   static Cell cellAt(Point place) {
     // To the nearest one, as std::lround() does it, but five times as fast.
     constexpr int kBelow = 1 << 20;
-    return {int(place.x + kBelow + 0.5) - kBelow, int(place.y + kBelow + 0.5) - kBelow};
+    constexpr double kToNearest = kBelow + 0.5;
+    return {int(place.x + kToNearest) - kBelow, int(place.y + kToNearest) - kBelow};
   }
 
   /** Whether it has a room round it, which may be larger where nothing else is near. What stands in

@@ -97,23 +97,45 @@ class WorthyRegions {
  public:
   explicit WorthyRegions(const RegionOutlines& outlines) : outlines_(outlines) {}
 
+  /** As the steps ask for them. */
+  LeadsOn leadsOn() {
+    return [this](const Vertex& tip, const Vertex& base) { return isMiddle(tip, base); };
+  }
+  RegionAt regionAt() {
+    return [this](Point place) { return at(place); };
+  }
+
+ private:
   RoomId at(Point place) {
     if (!index_) regions_ = outlines_.worthAWay(), index_.emplace(regions_);
     return index_->roomAt(place);
   }
 
   /** Whether the tip is the middle of a region that the base is not in. */
-  bool leadsOn(const Vertex& tip, const Vertex& base) {
+  bool isMiddle(const Vertex& tip, const Vertex& base) {
     const RoomId region = at(tip.place);
     return region && region != at(base.place) &&
            distance(tip.place, regions_[region.index()].widestPlace) <= tip.clearance;
   }
 
- private:
   const RegionOutlines& outlines_;
   Rooms regions_;
   std::optional<RoomIndex> index_;
 };
+
+TopologyGraph keptComponents(Stages& s, const RegionAt& regionAt) {
+  return keepComponents(s.joinedUp, regionAt, s.options.keepComponents, s.notes);
+}
+
+RoomGraph roomGraphOf(Stages& s) {
+  return roomGraph(s.doors, s.rooms, ObstacleRows(s.obstacles), s.clearance, s.options.roomGraph,
+                   s.notes);
+}
+
+AreaGraph areasOf(Stages& s) {
+  return areaGraph(s.cleared.grid, s.outlines, s.result, s.clearance, s.options.splitAtDoors,
+                   s.notes);
+}
 
 /** Notes how long each step took that sets a member of some Stages:
  *
@@ -159,9 +181,7 @@ Stages extractGrid(Stages s, const std::function<Grid()>& cells, Diagram diagram
   step("clear_clutter").cleared = clearClutter(s.grid, s.obstacles, options.clearClutter);
   step("region_outlines").outlines = outlineRegions(s);
   WorthyRegions regions(s.outlines);
-  const auto leadsOn = [&](const Vertex& tip, const Vertex& base) {
-    return regions.leadsOn(tip, base);
-  };
+  const LeadsOn leadsOn = regions.leadsOn();
   // III-A: the topology graph
   step("keep_clear").clearEdges = keepClear(s.voronoi, s.isInside, s.clearance);
   step("drop_half_seen").clearEdges = dropHalfSeen(s.voronoi, std::move(s.clearEdges), s.outlines);
@@ -170,8 +190,7 @@ Stages extractGrid(Stages s, const std::function<Grid()>& cells, Diagram diagram
   step("dead_ends").pruned = removeDeadEnds(s.topology, options.deadEnds, resolution, leadsOn);
   step("pass_clutter").pruned = passedClutter(std::move(s.pruned), s, leadsOn);
   step("join_vertices").joinedUp = joinVertices(s.pruned, options.joinVertices, resolution);
-  step("keep_components").kept = keepComponents(
-      s.joinedUp, [&](Point place) { return regions.at(place); }, options.keepComponents, s.notes);
+  step("keep_components").kept = keptComponents(s, regions.regionAt());
   // III-B: the rooms
   step("trace_rooms").rooms = s.outlines.rooms();
   // III-C to III-G: rooms in the graph
@@ -182,10 +201,8 @@ Stages extractGrid(Stages s, const std::function<Grid()>& cells, Diagram diagram
   step("short_dead_ends").cleaned = removeShortDeadEnds(s.cut, minLength);
   // Rooms that are split at their doors share these; those of a disc leave a gap in each.
   step("join_doors").doors = s.roomRadius > 0 ? joinDoors(s.cleaned, options.joinDoors) : s.cleaned;
-  step("room_graph").result = roomGraph(s.doors, s.rooms, ObstacleRows(s.obstacles), s.clearance,
-                                        options.roomGraph, s.notes);
-  step("area_graph").areas =
-      areaGraph(s.cleared.grid, s.outlines, s.result, s.clearance, options.splitAtDoors, s.notes);
+  step("room_graph").result = roomGraphOf(s);
+  step("area_graph").areas = areasOf(s);
   for (Note& note : extractionNotes(s)) s.notes.push_back(std::move(note));
   return s;
 }

@@ -159,10 +159,8 @@ void describe(SplitAtDoorsOptions& options, FieldTable& table) {
                "A region wider than this is a room, however long it is.");
   table.number(section, "corridor_ratio", options.corridorRatio, "", 0, 1,
                "The same as max_ratio between two pieces of corridor.");
-  table.number(
-      section, "corridor_door", options.corridorDoor, "m", 0, 100,
-      "The same as max_width between two pieces of corridor, and in a wall that goes on at both "
-      "ends of the passage, which is a door there however little narrower than its sides.");
+  table.number(section, "corridor_door", options.corridorDoor, "m", 0, 100,
+               "The same as max_width between two pieces of corridor, and in a wall that goes on.");
 }
 
 Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
