@@ -73,13 +73,14 @@ TopologyGraph removeEndsAmongClutter(TopologyGraph graph, const DeadEndsOptions&
   return removeDeadEndsWhere(
       std::move(graph), [&](const Vertex& tip, const Vertex& base, const Path& path) {
         const double farthest = path.length + tip.clearance;
-        if (leadsOn(tip, base)) return false;
-        if (isWithin(base.clearance, farthest, options)) return true;
-        // From here on it is within, whatever it is: no need to look farther, but for rounding.
-        const double enough =
-            std::min(farthest - options.minReach, farthest / (1 + options.minReachRatio));
-        const double clearance = walls.clearance(base.place, base.place, enough * (1 + 1e-9));
-        return isWithin(clearance, farthest, options);
+        if (!isWithin(base.clearance, farthest, options)) {
+          // From here on it is within, whatever it is: no need to look farther, but for rounding.
+          const double enough =
+              std::min(farthest - options.minReach, farthest / (1 + options.minReachRatio));
+          const double clearance = walls.clearance(base.place, base.place, enough * (1 + 1e-9));
+          if (!isWithin(clearance, farthest, options)) return false;
+        }
+        return !leadsOn(tip, base);
       });
 }
 
