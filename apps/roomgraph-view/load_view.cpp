@@ -79,8 +79,8 @@ View viewOfRuns(const std::vector<std::string>& files, const ExtractOptions& opt
 
 /** What the one run of the view tells of itself: its faults, and how far each key frame is off. */
 void addCheck(const std::vector<Keyframe>& keyframes, View& view) {
-  Run run = view.runs.front();
-  run.scans = scanWalls(keyframes);
+  Run run;
+  run.name = view.runs.front().name, run.scans = scanWalls(keyframes);
   run.map = wallMap(view.stages->grid);
   if (run.scans.empty() || run.map.walls.empty()) return;
   const RunCheck check = checkRun(run);

@@ -204,9 +204,10 @@ std::string checkPage(const RunCheck& check, const Run& run) {
       ".dots{fill:none;stroke-linecap:round}";
   if (!run.scans.empty()) page.body = figuresHtml(check);
   page.body += mapHtml(check, run);
+  const std::vector<Fault> faults = faultsOf(check);
   if (!run.scans.empty())
     for (const FaultSection& section : kFaultSections)
-      page.body += faultsHtml(faultsOf(check), section, run);
+      page.body += faultsHtml(faults, section, run);
   page.body += evidenceHtml(check);
   page.footer = "roomgraph's docs/check.md explains the figures.";
   return simplePage(page);
