@@ -54,7 +54,7 @@ std::string passageLine(const GraphFile& file, PassageId id, AreaId to) {
   const Passage& passage = file.areas.passages[id.index()];
   return formatted("  passage %zu at (%.2f, %.2f), %.2f m wide, to %s\n", id.index(),
                    passage.middle().x, passage.middle().y, passage.width,
-                   areaName(file, to).c_str());
+                   to ? areaName(file, to).c_str() : "space that was hardly seen");
 }
 
 std::string placeText(Point place) { return formatted("(%.2f, %.2f)", place.x, place.y); }
@@ -190,8 +190,10 @@ struct WhereArguments {
 std::string areaText(const GraphFile& file, AreaId id) {
   const Area& area = file.areas.areas[id.index()];
   std::string text =
-      formatted("%s: %s of %.1f m2\n", areaName(file, id).c_str(),
+      formatted("%s: %s of %.1f m2", areaName(file, id).c_str(),
                 area.isRoom() ? "a room" : "a corridor", roomgraph::area(area.polygon));
+  if (area.seen) text += formatted(", %.0f %% of its outline seen", 100 * *area.seen);
+  text += "\n";
   for (const PassageId p : area.passages)
     text += passageLine(file, p, behind(file.areas.passages[p.index()], id));
   return text;

@@ -106,6 +106,18 @@ TEST(GraphJson, holdsAreasAndPassages) {
   EXPECT_EQ(json["passages"][0]["evidence"], "wall_on_both_sides");
 }
 
+TEST(GraphJson, ofADoorToUnseenSpaceFollowsTheSchema) {
+  Stages stages = sampleStages();
+  stages.areas.passages[1].b = AreaId::none();
+  stages.areas.areas[0].seen = 0.625;
+  const std::string text = graphJson(stages);
+  EXPECT_EQ(schemaComplaint(text), "");
+  const Json json = Json::parse(text);
+  EXPECT_EQ(json["passages"][1]["areas"], Json({1, nullptr}));
+  EXPECT_EQ(json["areas"][0]["seen"], 0.625);
+  EXPECT_TRUE(json["areas"][1]["seen"].is_null());
+}
+
 TEST(GraphJson, holdsWhatTheGraphHolds) {
   const Json json = Json::parse(graphJson(sampleStages()));
   EXPECT_EQ(json["format"], "roomgraph/graph");

@@ -152,6 +152,15 @@ TEST(OsmXml, passagesEndInNodesOfBothTheirAreas) {
   EXPECT_EQ(count, stages.areas.passages.size());
 }
 
+TEST(OsmXml, doorsToUnseenSpaceJoinNothing) {
+  Stages stages = sampleStages();
+  const std::size_t before = parsed(osmXml(stages.areas)).ways.size();
+  stages.areas.passages[1].b = AreaId::none();
+  const Osm osm = parsed(osmXml(stages.areas));
+  EXPECT_EQ(osm.ways.size(), before - 1);
+  EXPECT_EQ(osm.named("passage_0").tags.at("osmAG:to"), "room_1");
+}
+
 TEST(OsmXml, passagesSayWhatTheyJoin) {
   const Way passage = parsed(osmXml(sampleStages().areas)).named("passage_1");
   EXPECT_EQ(passage.tags, (Tags{{"level", "0"},

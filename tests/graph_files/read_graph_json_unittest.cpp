@@ -34,6 +34,16 @@ TEST(ReadGraphJson, writtenAgainGivesTheSameBytes) {
   }
 }
 
+TEST(ReadGraphJson, givesDoorsToUnseenSpaceBackAndHowMuchOfAnAreaWasSeen) {
+  Stages stages = sampleStages();
+  stages.areas.passages[1].b = AreaId::none();
+  stages.areas.areas[0].seen = 0.625;
+  const GraphFile file = parseGraphJson(graphJson(stages), "x.json");
+  EXPECT_FALSE(file.areas.passages[1].b);
+  EXPECT_EQ(file.areas.areas[0].seen, 0.625);
+  EXPECT_EQ(file.areas.areas[1].seen, std::nullopt);
+}
+
 TEST(ReadGraphJson, givesTheNamesOfAreasBack) {
   GraphFile file = graphFile(sampleStages());
   for (std::size_t a = 0; a < file.areas.areas.size(); ++a)

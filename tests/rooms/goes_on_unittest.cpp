@@ -14,7 +14,9 @@ const std::vector<std::string> kRagged = {"..#.....#..", "##?#...#?##", ".......
 const std::vector<std::string> kBlock = {"####...####", "####...####", "####...####",
                                          "####...####", "####...####", "####...####"};
 
-/** Beyond the right end of the opening. */
+const std::vector<std::string> kOneSided = {"...........", "...#...####", "..........."};
+
+/** Of the opening, beyond its right end. */
 bool goesOnIn(const std::vector<std::string>& rows, bool (*test)(const Grid&, Point, Point)) {
   const Grid grid = gridOf(drawn(rows, 1));
   const int y = grid.frame.height / 2;
@@ -27,16 +29,21 @@ TEST(GoesOn, whatNobodyHasSeenMayBeWall) {
   EXPECT_FALSE(goesOnIn(kStubs, goesOn));
 }
 
-TEST(WallGoesOn, mostOfItIsSeenToBeWall) {
-  EXPECT_TRUE(goesOnIn(kWall, wallGoesOn));
-  EXPECT_TRUE(goesOnIn(kRagged, wallGoesOn));
-  EXPECT_FALSE(goesOnIn(kUnknown, wallGoesOn));
-  EXPECT_FALSE(goesOnIn(kStubs, wallGoesOn));
+TEST(IsInWall, mostOfItIsSeenToBeWall) {
+  EXPECT_TRUE(goesOnIn(kWall, isInWall));
+  EXPECT_TRUE(goesOnIn(kRagged, isInWall));
+  EXPECT_FALSE(goesOnIn(kUnknown, isInWall));
+  EXPECT_FALSE(goesOnIn(kStubs, isInWall));
 }
 
-TEST(WallGoesOn, aWallIsThinnerThanTheOpeningIsWide) {
+TEST(IsInWall, itGoesOnAtBothEnds) {
+  EXPECT_TRUE(goesOnIn(kOneSided, goesOn));
+  EXPECT_FALSE(goesOnIn(kOneSided, isInWall));
+}
+
+TEST(IsInWall, aWallIsThinnerThanTheOpeningIsWide) {
   EXPECT_TRUE(goesOnIn(kBlock, goesOn));
-  EXPECT_FALSE(goesOnIn(kBlock, wallGoesOn));
+  EXPECT_FALSE(goesOnIn(kBlock, isInWall));
 }
 
 }  // namespace

@@ -50,6 +50,18 @@ TEST(PassageEvidence, aDoorInAWallHasWallOnBothSides) {
   EXPECT_EQ(reason(evidenceOf(twoRooms(5, 8))), "wall_on_both_sides");
 }
 
+TEST(PassageEvidence, aDoorInAWallMayBeAsWideAsWhatLiesBehindIt) {
+  // A closet of 1 m x 1.6 m.
+  std::vector<std::string> rows = space(41, 20);
+  fill(rows, 1, 12, 41, 9);
+  fill(rows, 1, 13, 17, 8, '.');
+  fill(rows, 25, 13, 17, 8, '.');
+  fill(rows, 19, 12, 5, 9, '.');
+  const PassageEvidence evidence = evidenceOf(rows);
+  EXPECT_EQ(reason(evidence), "wall_on_both_sides");
+  EXPECT_NEAR(evidence.confidence, 1 - 1 / 3.0, 1e-9) << "by its width alone";
+}
+
 /** An opening in row 20, from one column to another, in a space between two walls of one cell, at
  *  columns 10 and 40, with free space behind both. */
 std::string reasonOfOpening(int left, int right) {

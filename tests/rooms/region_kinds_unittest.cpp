@@ -126,6 +126,21 @@ TEST(RegionKinds, aSpaceNarrowerThanARoomIsACorridor) {
   EXPECT_EQ(kindOfSpace(), RegionKind::corridor);
 }
 
+TEST(RegionKinds, whatBeamsHaveSeenOfARoomFromACorridorIsARoom) {
+  // 1.4 m wide behind a door of 0.8 m; half of what bounds it is the edge of the unknown.
+  const auto nook = [](int length) {
+    return Plan(length, 18)
+        .wall(1, 10, length, 1)
+        .wall(10, 11, 1, 8)
+        .wall(18, 11, 1, 8)
+        .gap(12, 10, 4, 1);
+  };
+  const auto isSeen = [](Point p) { return p.y > 8 * 0.2 || p.x < 14 * 0.2 || p.x > 18.5 * 0.2; };
+  EXPECT_EQ(Kinds(nook(90)).at(14, 14), RegionKind::room);
+  EXPECT_EQ(Kinds(nook(90), {}, isSeen).at(14, 14), RegionKind::room) << "off a corridor";
+  EXPECT_EQ(Kinds(nook(20), {}, isSeen).at(14, 14), RegionKind::corridor) << "of a room";
+}
+
 TEST(RegionKinds, whatHasLittleWallRoundItIsHalfSeen) {
   const Plan plan = Plan(61, 20).wall(31, 1, 1, 20).gap(31, 8, 1, 4);
   const auto isLeft = [](Point p) { return p.x < 32 * 0.2; };

@@ -36,6 +36,17 @@ TEST(SplitAtDoors, aDoorInAWallMayBeNearlyAsWideAsItsCorridor) {
   EXPECT_EQ(split(doorOnCorridor().inside()).count, 4u);
 }
 
+TEST(SplitAtDoors, aClosetMayBeAsWideAsItsDoor) {
+  // 0.8 m wide and 1.2 m deep, off a corridor of 1.6 m; its opening lies in a wall, or between
+  // blocks as deep as itself.
+  Plan inWall(60, 15), betweenBlocks = inWall;
+  inWall.wall(1, 9, 60, 1).gap(18, 9, 4, 1).wall(17, 10, 1, 6).wall(22, 10, 1, 6);
+  betweenBlocks.wall(1, 9, 17, 7).wall(22, 9, 39, 7);
+  const Regions closet = split(inWall.inside()), alcove = split(betweenBlocks.inside());
+  EXPECT_EQ(closet.count, 4u) << "the corridor, the closet, and the spaces beside it";
+  EXPECT_EQ(alcove.count, 1u);
+}
+
 TEST(SplitAtDoors, aWideOpeningDoesNot) {
   const Regions regions = split(Plan(41, 20).wall(21, 1, 1, 20).gap(21, 3, 1, 16).inside());
   EXPECT_EQ(regions.roomCount, 1u);
@@ -156,6 +167,9 @@ TEST(SplitAtDoors, whatTheUnknownBoundsIsHalfSeen) {
   EXPECT_EQ(regions.roomCount, 1u);
   EXPECT_EQ(regions.seenCount, 1u);
   EXPECT_EQ(regions.count, 2u);
+  ASSERT_EQ(regions.seen.size(), 2u);
+  EXPECT_NEAR(regions.seen[0], 1, 0.05);
+  EXPECT_LT(regions.seen[1], 0.4) << "but the wall with the door";
 }
 
 /** Which vertices are together, and whether in a room, whatever the regions' numbers. */

@@ -89,6 +89,7 @@ std::string areaText(const std::vector<std::string>& names, std::size_t id, cons
             {"room", idOrNull(area.room)},
             {"area", rounded(roomgraph::area(roundedPolygon(area.polygon)))},
             {"inscribed_radius", rounded(area.inscribedRadius)},
+            {"seen", area.seen ? Json(rounded(*area.seen)) : Json()},
             {"widest_place", pointJson(area.widestPlace)},
             {"passages", mapped(area.passages, &PassageId::index)}};
   if (!names.empty()) json["name"] = names[id];
@@ -98,7 +99,7 @@ std::string areaText(const std::vector<std::string>& names, std::size_t id, cons
 std::string passageText(std::size_t id, const Passage& passage) {
   const Point from = rounded(passage.from), to = rounded(passage.to);
   Json json{{"id", id},
-            {"areas", {passage.a.index(), passage.b.index()}},
+            {"areas", {idOrNull(passage.a), idOrNull(passage.b)}},
             {"ends", {pointJson(from), pointJson(to)}},
             {"middle", pointJson(midpoint(from, to))},
             {"width", rounded(passage.width)},

@@ -37,7 +37,10 @@ class OsmWriter {
  public:
   OsmWriter(const AreaGraph& graph, const OsmXmlOptions& options)
       : graph_(graph), options_(options) {
-    for (const Passage& passage : graph.passages) {
+    for (std::size_t p = 0; p < graph.passages.size(); ++p) {
+      const Passage& passage = graph.passages[p];
+      if (!passage.b) continue;
+      passages_.push_back(p);
       passageEnds_.insert(passage.from);
       passageEnds_.insert(passage.to);
     }
@@ -45,7 +48,7 @@ class OsmWriter {
 
   std::string run() {
     for (std::size_t a = 0; a < graph_.areas.size(); ++a) addArea(a);
-    for (std::size_t p = 0; p < graph_.passages.size(); ++p) addPassage(p);
+    for (const std::size_t p : passages_) addPassage(p);
     if (!graph_.areas.empty()) addFloor();
     for (std::size_t a = 0; a < graph_.areas.size(); ++a)
       if (!graph_.areas[a].polygon.holes.empty()) addHoles(a);
@@ -69,7 +72,7 @@ class OsmWriter {
   }
 
   std::string parent() const {
-    const std::size_t before = graph_.areas.size() + graph_.passages.size();
+    const std::size_t before = graph_.areas.size() + passages_.size();
     return options_.hasNumbers ? std::to_string(-1 - std::int64_t(before)) : "floor_0";
   }
 
@@ -167,6 +170,7 @@ class OsmWriter {
   const AreaGraph& graph_;
   const OsmXmlOptions& options_;
   OsmOrigin origin_;
+  std::vector<std::size_t> passages_;  // of two areas
   std::set<Point> passageEnds_;
   std::map<Point, std::int64_t> nodeIds_;
   std::int64_t lastWay_ = 0, lastRelation_ = 0;

@@ -125,6 +125,7 @@ Area readArea(const JsonNode& node, std::size_t roomCount, std::size_t passageCo
   area.polygon = readPolygon(node);
   area.widestPlace = readPoint(node["widest_place"]);
   area.inscribedRadius = node["inscribed_radius"].number();
+  if (node.contains("seen") && !node["seen"].json.is_null()) area.seen = node["seen"].number();
   area.passages = readIds<PassageId>(node["passages"], passageCount);
   return area;
 }
@@ -144,7 +145,7 @@ Passage readPassage(const JsonNode& node, std::size_t areaCount) {
   const auto ends = readPoints(node["ends"]);
   if (ends.size() != 2) throw Broken{node.place + ".ends", "is not a pair [point, point]"};
   return {readId<AreaId>(areas[0], areaCount),
-          readId<AreaId>(areas[1], areaCount),
+          readIdOrNone<AreaId>(areas[1], areaCount),
           ends[0],
           ends[1],
           node["width"].number(),

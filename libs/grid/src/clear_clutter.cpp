@@ -103,20 +103,20 @@ class ClutterFinder {
     return double(group.cells.size()) >= kTableShare * group.size * group.size;
   }
 
-  /** Where a wall ends that a line meets, and how thick it is [cells]. */
-  struct WallEnd {
-    double far = 0, thickness = 0;
-  };
-
   /** Whether it fills a part of a gap between two walls that are in line with it, as do the pier
    *  between two doors and the posts of a glass front. Not what stands in a single door. */
   bool isPieceOfWall(const ClutterGroup& group) const {
     if (!group.isSeen()) return false;
     const auto isInLine = [&](Point start, Point direction) {
-      const auto ahead = wallEndFrom(start, direction);
-      const auto behind = ahead ? wallEndFrom(start, -1 * direction) : ahead;
-      return behind && metres(ahead->far + behind->far - 1) > maxSize_ &&
-             2 * widthAcross(group, direction) >= std::max(ahead->thickness, behind->thickness);
+      const auto stepsTo = [&](Point way) {
+        return stepsToObstacle(start, way, Mark::small, maxSize_);
+      };
+      const auto ahead = stepsTo(direction), behind = ahead ? stepsTo(-1 * direction) : ahead;
+      if (!behind || metres(*ahead + *behind - 1) <= maxSize_) return false;
+      const int one = thicknessAt(start + double(*ahead) * direction, direction);
+      const int other =
+          one > 0 ? thicknessAt(start - double(*behind) * direction, -1 * direction) : 0;
+      return other > 0 && 2 * widthAcross(group, direction) >= std::max(one, other);
     };
     const Point middle = group.middle(), along = directionOf(group);
     // Where the middle lies between two rows, one on either side of it.
@@ -145,18 +145,11 @@ class ClutterFinder {
     return std::nullopt;
   }
 
-  /** The first wall in a direction, past other small things, if it ends there. */
-  std::optional<WallEnd> wallEndFrom(Point middle, Point direction) const {
-    const auto far = stepsToObstacle(middle, direction, Mark::small, maxSize_);
-    const double thickness = far ? thicknessAt(middle + double(*far) * direction, direction) : 0;
-    return thickness > 0 ? std::optional(WallEnd{double(*far), thickness}) : std::nullopt;
-  }
-
   /** Of a wall that begins at a place and goes on in a direction [cells]; 0 where none does, but
    *  something stands there across it, or as large. A ragged or slanted one goes on in a band that
    *  is a cell wider on either side. */
-  double thicknessAt(Point place, Point direction) const {
-    const Point across = turned(direction, M_PI / 2);
+  int thicknessAt(Point place, Point direction) const {
+    const Point across{-direction.y, direction.x};
     const int length = 1 + run([&](int step) {
                          const Point on = place + double(step) * direction;
                          return isSolid(on) || isSolid(on + across) || isSolid(on - across);

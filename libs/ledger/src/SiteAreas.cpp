@@ -43,6 +43,7 @@ void addShapes(const AreaGraph& areas, const GridFrame& frame, RunAreas& run) {
   }
   run.doors.resize(run.shapes.size());
   for (const Passage& passage : areas.passages) {
+    if (!passage.b) continue;
     const std::size_t a = passage.a.index(), b = passage.b.index();
     if (a >= run.shapes.size() || b >= run.shapes.size()) continue;
     run.doors[a].push_back({b, passage.middle(), passage.width});

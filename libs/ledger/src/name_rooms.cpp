@@ -30,6 +30,7 @@ std::vector<SiteRoom> roomsOf(const AreaGraph& graph) {
     room.area = roomgraph::area(area.polygon);
     for (const PassageId p : area.passages) {
       const Passage& passage = graph.passages[p.index()];
+      if (!passage.b) continue;
       const AreaId to = passage.a == AreaId(a) ? passage.b : passage.a;
       room.doors.push_back({passage.middle(), passage.width, idOf(to)});
     }

@@ -2,6 +2,7 @@
 
 #include <tuple>
 
+#include "goes_on.h"
 #include "roomgraph/topology/face_areas.h"
 
 namespace roomgraph {
@@ -74,6 +75,18 @@ void RegionGroups::sumWalls(const std::vector<std::uint8_t>& isWall) {
   if (walls > 0) meanWallShare_ = shares / walls;
 }
 
+void RegionGroups::findOpeningsInWalls(const Grid& grid) {
+  isInWall_.assign(voronoi_.edges.size(), 0);
+  keepPassages();
+  for (const std::uint32_t e : edges_) isInWall_[e] = isOpeningInWall(voronoi_.edges[e], grid);
+}
+
+bool RegionGroups::isOpeningInWall(const VoronoiEdge& edge, const Grid& grid) const {
+  if (clearance(edge) >= options_.corridorDoor / 2) return false;
+  const Point left = voronoi_.obstacles[edge.left], right = voronoi_.obstacles[edge.right];
+  return distance(left, right) >= kFacing * 2 * edge.minClearance && isInWall(grid, left, right);
+}
+
 double RegionGroups::wallShare(std::uint32_t region) const {
   const double bounded = bounded_[region];
   return bounded > 0 ? walled_[region] / bounded / meanWallShare_ : 0;
@@ -93,24 +106,25 @@ void RegionGroups::keepPassages() {
 
 RegionGroups::AllNeighbours RegionGroups::neighbours() {
   keepPassages();
-  std::vector<std::tuple<std::uint32_t, std::uint32_t, double>> sides;
+  std::vector<std::tuple<std::uint32_t, std::uint32_t, double, bool>> sides;
   sides.reserve(2 * edges_.size());
   for (const std::uint32_t e : edges_) {
     const VoronoiEdge& edge = voronoi_.edges[e];
     const std::uint32_t a = find(edge.source), b = find(edge.target);
-    sides.push_back({a, b, clearance(edge)});
-    sides.push_back({b, a, clearance(edge)});
+    const bool isInWall = !isInWall_.empty() && isInWall_[e];
+    sides.push_back({a, b, clearance(edge), isInWall});
+    sides.push_back({b, a, clearance(edge), isInWall});
   }
   std::sort(sides.begin(), sides.end());
   AllNeighbours all;
-  for (const auto& [a, b, width] : sides) {
+  for (const auto& [a, b, width, isInWall] : sides) {
     if (all.empty() || all.back().first != a) all.push_back({a, {}});
     Neighbours& around = all.back().second;
     if (around.empty() || around.back().first != b) around.push_back({b, {}});
     Passage& passage = around.back().second;
     ++passage.count;
     passage.second = passage.clearance;
-    passage.clearance = width;  // the widest comes last
+    passage.clearance = width, passage.isInWall = isInWall;  // the widest comes last
   }
   return all;
 }

@@ -7,6 +7,7 @@
 
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/geometry/Polyline.h"
+#include "roomgraph/grid/Grid.h"
 #include "roomgraph/rooms/SplitAtDoorsOptions.h"
 #include "roomgraph/topology/VoronoiGraph.h"
 #include "roomgraph/topology/keep_inside.h"
@@ -20,6 +21,10 @@ constexpr double kSameWidth = 1e-9;
  *  a row together this much longer than one. */
 constexpr double kLongerThanOthers = 1.5;
 
+/** Two obstacles face each other where they are nearly as far apart as the disc between them is
+ *  wide: the cosine of a quarter of a right angle. */
+constexpr double kFacing = 0.924;
+
 /** The regions of the inside as they grow together. A region goes by its smallest vertex. */
 class RegionGroups {
  public:
@@ -28,6 +33,7 @@ class RegionGroups {
     double clearance = 0;  // half of its width [m]
     double second = 0;     // of the next one; 0 where there is one only
     int count = 0;
+    bool isInWall = false;  // the widest, after findOpeningsInWalls
   };
   using Neighbours = std::vector<std::pair<std::uint32_t, Passage>>;        // by region
   using AllNeighbours = std::vector<std::pair<std::uint32_t, Neighbours>>;  // the same
@@ -56,6 +62,17 @@ class RegionGroups {
   /** Its area in squares round its largest disc: 1 for a square, large for a corridor. */
   double elongation(std::uint32_t region) const;
 
+  /** Whether it is as long and as narrow as a corridor. After sumAreas(). */
+  bool isLong(std::uint32_t region) const {
+    return elongation(region) > options_.maxElongation &&
+           2 * radius(region) <= options_.maxCorridorWidth;
+  }
+
+  /** Whether the narrowest place of an edge is a door though it may be as wide as what lies behind
+   *  it, as that of a closet, or of a room of which a beam has seen no more: an opening in a wall
+   *  that goes on at both of its ends. */
+  bool isOpeningInWall(const VoronoiEdge& edge, const Grid& grid) const;
+
   /** How much of its area is nearest to walls, beside the mean where walls are. After sumWalls. */
   double wallShare(std::uint32_t region) const;
 
@@ -68,6 +85,7 @@ class RegionGroups {
   /** `isWall`, per obstacle, tells walls from the edge of the unknown. Areas count, not
    *  obstacles: cells make an edge the more ragged the smaller they are. O(n). */
   void sumWalls(const std::vector<std::uint8_t>& isWall);
+  void findOpeningsInWalls(const Grid& grid);
   /** Calls `visit(edge, end, area)` for each part of an edge from an end inside to its narrowest
    *  place. `area` lies between that and one of its two obstacles [m2]: both bound as much.
    *  O(n). */
@@ -115,6 +133,7 @@ class RegionGroups {
   std::vector<double> bounded_, walled_;  // areas nearest to obstacles, and to walls [m2]
   std::vector<double> widened_;           // the former times the clearance there [m3]
   double meanWallShare_ = 1;
+  std::vector<std::uint8_t> isInWall_;  // per edge of the diagram
 };
 
 /** Whether a passage is narrow beside both of its sides. */

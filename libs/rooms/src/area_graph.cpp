@@ -31,9 +31,15 @@ std::vector<Area> makeAreas(const Rooms& shapes, const RoomGraph& graph,
     area.polygon = shapes[r].polygon;
     area.widestPlace = shapes[r].widestPlace;
     area.inscribedRadius = shapes[r].inscribedRadius;
+    area.seen = shapes[r].seen;
   }
   for (std::size_t i = 0; i < graph.rooms.size(); ++i) areas[i].room = RoomId(i);
   return areas;
+}
+
+/** A door to half-seen space has walls at both ends: else it is but where a beam ends. */
+bool isDoorToUnseen(const RegionOutlines& outlines, const RegionBorder& border) {
+  return std::max(border.left, border.right) >= outlines.seenCount && border.wallEnds == 2;
 }
 
 std::vector<Passage> findPassages(const Grid& grid, const RegionOutlines& outlines,
@@ -44,7 +50,8 @@ std::vector<Passage> findPassages(const Grid& grid, const RegionOutlines& outlin
     if (!isPassage(border, clearance)) continue;
     // Who leaves the area on the left has the way's end on the left.
     Passage passage{areaOf[border.left], areaOf[border.right], border.to, border.from, 0};
-    if (!passage.a || !passage.b) continue;
+    if (!passage.a && !passage.b) continue;
+    if ((!passage.a || !passage.b) && !isDoorToUnseen(outlines, border)) continue;
     if (passage.b < passage.a) {
       std::swap(passage.a, passage.b);
       std::swap(passage.from, passage.to);
@@ -72,7 +79,7 @@ AreaGraph areaGraph(const Grid& grid, const RegionOutlines& outlines, const Room
   result.passages = findPassages(grid, outlines, areaOf, clearance, doors);
   for (std::size_t p = 0; p < result.passages.size(); ++p)
     for (const AreaId area : {result.passages[p].a, result.passages[p].b})
-      result.areas[area.index()].passages.push_back(PassageId(p));
+      if (area) result.areas[area.index()].passages.push_back(PassageId(p));
   result.labels = labelCells(grid, outlines.borders, areaOf);
   if (result.areas.size() > kMaxLabelledAreas)
     notes.push_back({"too_many_areas",

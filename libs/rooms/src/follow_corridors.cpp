@@ -17,16 +17,20 @@ constexpr double kSameSide = 0.5;
 
 using WaysOn = std::map<std::uint32_t, std::vector<Point>>;  // by region, unit vectors out of it
 
-/** A corridor is narrower at doors that open into it: those do not part it. */
+/** A corridor is narrower at doors that open into it: those do not part it. What has no other way
+ *  out than an opening in a wall is no piece of it. */
 void joinPieces(RegionGroups& regions, const std::vector<RegionKind>& kinds) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pieces;
-  for (const auto& [region, around] : regions.neighbours())
+  const RegionGroups::AllNeighbours all = regions.neighbours();
+  std::vector<std::uint8_t> mayBeOne(kinds.size());
+  for (const auto& [region, around] : all)
+    mayBeOne[region] = kinds[region] == RegionKind::corridor &&
+                       (around.size() > 1 || !around.front().second.isInWall);
+  for (const auto& [region, around] : all)
     for (const auto& [other, passage] : around)
-      if (kinds[region] == RegionKind::corridor && kinds[other] == RegionKind::corridor &&
+      if (mayBeOne[region] && mayBeOne[other] &&
           !isDoor(regions, passage.clearance, region, other, regions.options().corridorRatio,
                   regions.options().corridorDoor))
-        pieces.push_back({region, other});
-  for (const auto& [a, b] : pieces) regions.join(a, b);
+        regions.join(region, other);
 }
 
 /** Narrower than halls are: the wider it is, the longer it has to be. */

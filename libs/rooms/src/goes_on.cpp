@@ -1,9 +1,6 @@
 #include "goes_on.h"
 
-#include <cmath>
-
 #include "RegionGroups.h"
-#include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
 namespace {
@@ -14,14 +11,8 @@ bool isEveryPlaceBeyond(const Grid& grid, Point end, Point other, const Visit& v
   const double width = distance(end, other), step = grid.frame.resolution;
   const Point out = (step / width) * (end - other);
   for (int i = 1; i * step <= width / 2 * (1 + kSameWidth); ++i)
-    if (!visit(end + double(i) * out, turned(out, M_PI / 2))) return false;
+    if (!visit(end + double(i) * out, Point{-out.y, out.x})) return false;
   return true;
-}
-
-}  // namespace
-
-bool goesOn(const Grid& grid, Point end, Point other) {
-  return isEveryPlaceBeyond(grid, end, other, [&](Point p, Point) { return !grid.isFree(p); });
 }
 
 bool wallGoesOn(const Grid& grid, Point end, Point other) {
@@ -31,10 +22,11 @@ bool wallGoesOn(const Grid& grid, Point end, Point other) {
   int places = 0, walls = 0;
   Point last = end, across;  // of the wall
   const bool isClosed = isEveryPlaceBeyond(grid, end, other, [&](Point p, Point aside) {
+    if (grid.isFree(p)) return false;
     ++places, across = aside;
     if (isWall(p)) last = p;
     walls += isWall(p) || isWall(p + aside) || isWall(p - aside) ? 1 : 0;
-    return !grid.isFree(p);
+    return true;
   });
   if (!isClosed || 2 * walls < places) return false;
   const int most = 2 * places;  // as the places are those of half of the width
@@ -42,6 +34,17 @@ bool wallGoesOn(const Grid& grid, Point end, Point other) {
   for (const Point step : {across, -1 * across})
     for (int i = 1; i <= most && isWall(last + double(i) * step); ++i) ++thickness;
   return thickness < most;
+}
+
+}  // namespace
+
+bool goesOn(const Grid& grid, Point end, Point other) {
+  return isEveryPlaceBeyond(grid, end, other, [&](Point p, Point) { return !grid.isFree(p); });
+}
+
+bool isInWall(const Grid& grid, Point from, Point to) {
+  return goesOn(grid, from, to) && goesOn(grid, to, from) && wallGoesOn(grid, from, to) &&
+         wallGoesOn(grid, to, from);
 }
 
 }  // namespace roomgraph

@@ -12,8 +12,8 @@ namespace roomgraph {
  *  there, for half of the opening's width. O(width in cells). */
 bool goesOn(const Grid& grid, Point end, Point other);
 
-/** The same where most of it is wall, to a cell on either side, and no block: at the end of it
- *  thinner than the opening is wide. */
-bool wallGoesOn(const Grid& grid, Point end, Point other);
+/** Whether this is so at both ends, and most of what goes on is wall, to a cell on either side, and
+ *  no block: at the end of it thinner than the opening is wide. */
+bool isInWall(const Grid& grid, Point from, Point to);
 
 }  // namespace roomgraph

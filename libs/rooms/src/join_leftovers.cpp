@@ -20,11 +20,6 @@ bool isNarrow(const RegionGroups& regions, std::uint32_t region) {
   return 2 * regions.radius(region) < regions.options().openRoomWidth * (1 - kSameWidth);
 }
 
-bool isLong(const RegionGroups& regions, std::uint32_t region) {
-  return regions.elongation(region) > regions.options().maxElongation &&
-         2 * regions.radius(region) <= regions.options().maxCorridorWidth;
-}
-
 /** The one wider neighbour that a region opens into with nearly its whole width; none where there
  *  are several, or where it is long. What comes back to it is short. */
 std::uint32_t openTo(const RegionGroups& regions, std::uint32_t region, const Neighbours& around) {
@@ -40,10 +35,10 @@ std::uint32_t openTo(const RegionGroups& regions, std::uint32_t region, const Ne
   return found;
 }
 
-/** A narrow region that opens into one other and nowhere else: the space between a bed and the
- *  wall, a niche, the way round a table. */
+/** A narrow region that opens into one other and nowhere else, and not through a wall: the space
+ *  between a bed and the wall, the way round a table. */
 bool isAlcove(const RegionGroups& regions, std::uint32_t region, const Neighbours& around) {
-  return around.size() == 1 && isNarrow(regions, region) &&
+  return around.size() == 1 && !around[0].second.isInWall && isNarrow(regions, region) &&
          openTo(regions, region, around) != Regions::kNone;
 }
 
@@ -53,7 +48,7 @@ bool isBay(const RegionGroups& regions, std::uint32_t region, const Neighbours& 
   if (isNarrow(regions, region) || regions.wallShare(region) < regions.options().minWallShare)
     return false;
   const std::uint32_t room = openTo(regions, region, around);
-  return room != Regions::kNone && !isLong(regions, room);
+  return room != Regions::kNone && !regions.isLong(room);
 }
 
 /** The neighbour behind the widest passage; of several as wide the largest. None where these are

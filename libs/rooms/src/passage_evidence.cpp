@@ -35,10 +35,11 @@ PassageEvidence passageEvidence(const Grid& grid, const RegionBorder& border, do
                                 const SplitAtDoorsOptions& options) {
   const double halfCell = grid.frame.resolution / 2;
   const double free = std::max(0.0, border.clearance - halfCell), beside = radius - halfCell;
-  const double likeADoor =
-      std::sqrt(narrowness(free, beside) * narrowness(2 * free, options.maxWidth));
+  const bool isOne = 2 * free < options.corridorDoor && isInWall(grid, border.from, border.to);
+  const double besideDoors = narrowness(2 * free, options.maxWidth);
+  const double likeADoor = isOne ? besideDoors : std::sqrt(narrowness(free, beside) * besideDoors);
   const bool isNarrow =
-      narrowness(free, options.maxRatio * beside) > 0 && narrowness(2 * free, options.maxWidth) > 0;
+      isOne || (narrowness(free, options.maxRatio * beside) > 0 && besideDoors > 0);
   const double confidence = likeADoor * shareOfNarrowestRoom(2 * free, options.minRoomWidth);
   return {confidence * border.wallEnds / 2, reasonOf(grid, border, isNarrow)};
 }

@@ -14,10 +14,6 @@
 namespace roomgraph {
 namespace {
 
-/** Two obstacles face each other where they are nearly as far apart as the disc between them is
- *  wide: the cosine of a quarter of a right angle. */
-constexpr double kFacing = 0.924;
-
 /** Closer ones lie on one side of it: there is a branch of the diagram into each dent of a wall. */
 constexpr double kOneSide = 0.5;
 
@@ -120,6 +116,14 @@ bool isCompact(const RegionGroups& regions, std::uint32_t region, std::vector<Po
          solidity >= kLeastSolidity && solidity * width >= 2 * regions.meanWidth(region);
 }
 
+/** Whether a narrow one has as much wall as a room has. Of what opens into corridors only, beams from
+ *  there have seen a part. */
+bool isSeenEnough(const RegionGroups& regions, std::uint32_t region, const Neighbours& exits) {
+  const auto isLong = [&](const auto& way) { return regions.isLong(way.first); };
+  return regions.wallShare(region) >= regions.options().minClosedShare ||
+         (!exits.empty() && std::all_of(exits.begin(), exits.end(), isLong));
+}
+
 /** Whether it is no wider than a door may be, and opens with nearly its whole width on two sides.
  */
 bool isWayThrough(const RegionGroups& regions, std::uint32_t region, const Neighbours& exits) {
@@ -136,8 +140,8 @@ bool isCorridor(const RegionGroups& regions, std::uint32_t region, const Neighbo
   const double width = 2 * regions.radius(region) * (1 + kSameWidth);
   if (width < leastWidth) return true;
   const Neighbours exits = seenOnes(regions, around);
-  const bool isClosed = regions.wallShare(region) >= regions.options().minClosedShare &&
-                        isBehindDoors(regions, region, around, exits);
+  const bool isClosed =
+      isSeenEnough(regions, region, exits) && isBehindDoors(regions, region, around, exits);
   if (width < regions.options().openRoomWidth && !isClosed) return true;
   if (regions.elongation(region) < regions.options().minElongation) return true;
   if (isWayThrough(regions, region, exits)) return true;

@@ -8,7 +8,6 @@
 #include "RegionGroups.h"
 #include "find_halls.h"
 #include "follow_corridors.h"
-#include "goes_on.h"
 #include "join_leftovers.h"
 #include "number_regions.h"
 #include "region_kinds.h"
@@ -48,7 +47,7 @@ class PassageJoiner {
       clearance_ = regions_.clearance(edge);
       // By the passage, not by the narrower region: that may have grown to here from the far side.
       const double least = regions_.options().narrowRatio * regions_.radius(b) * (1 - kSameWidth);
-      if (clearance_ >= least && !isDoorBetween(a, b) && !isDoorInWall(edge, a, b))
+      if (clearance_ >= least && !isDoorBetween(a, b) && !regions_.isOpeningInWall(edge, grid_))
         pairs_.push_back({a, b, regions_.radius(b)});
       return false;
     };
@@ -58,16 +57,6 @@ class PassageJoiner {
   bool isDoorBetween(std::uint32_t a, std::uint32_t b) const {
     return isDoor(regions_, clearance_, a, b, regions_.options().maxRatio,
                   regions_.options().maxWidth);
-  }
-
-  /** One that is hardly narrower than the narrower of its rooms, as of a closet: an opening in a
-   *  wall that goes on at both of its ends. */
-  bool isDoorInWall(const VoronoiEdge& edge, std::uint32_t a, std::uint32_t b) const {
-    const double narrower = clearance_ + regions_.halfCell() / 2;
-    if (!isDoor(regions_, narrower, a, b, 1, regions_.options().corridorDoor)) return false;
-    const Point left = regions_.voronoi().obstacles[edge.left];
-    const Point right = regions_.voronoi().obstacles[edge.right];
-    return wallGoesOn(grid_, left, right) && wallGoesOn(grid_, right, left);
   }
 
   bool joinEqual() {
@@ -118,6 +107,14 @@ void joinOpenPassages(RegionGroups& regions, const Grid& grid) {
     while (end < edges.size() && width(end) >= width(first) * (1 - kSameWidth)) ++end;
     joiner.join(edges.data() + first, edges.data() + end);
   }
+}
+
+std::vector<double> seenShares(RegionGroups& regions, const Regions& found) {
+  std::vector<double> seen(found.count);
+  regions.eachRegion([&](std::uint32_t region) {
+    seen[found.regionOf[region]] = std::min(1.0, regions.wallShare(region));
+  });
+  return seen;
 }
 
 }  // namespace
@@ -171,6 +168,7 @@ Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
   joinOpenPassages(regions, grid);
   regions.sumAreas();
   regions.sumWalls(isWall);
+  regions.findOpeningsInWalls(grid);
   joinLeftovers(regions);
   std::vector<RegionKind> kinds = regionKinds(regions, ownWidths(regions, isWall));
   followCorridors(regions, kinds);
@@ -178,7 +176,11 @@ Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
   // A joined region goes by the smallest of its parts, all of which are alike.
   const auto kindOf = [&](std::uint32_t v) { return kinds[v]; };
   const auto areaOf = [&](std::uint32_t v) { return regions.area(v); };
-  const auto numbered = [&] { return numberRegions(regions.groups(), isClear, kindOf, areaOf, 0); };
+  const auto numbered = [&] {
+    Regions found = numberRegions(regions.groups(), isClear, kindOf, areaOf, 0);
+    found.seen = seenShares(regions, found);
+    return found;
+  };
   Regions found = numbered();
   const std::vector<std::uint8_t> isHall = findHalls(voronoi, found, options);
   if (std::find(isHall.begin(), isHall.end(), 1) == isHall.end()) return found;

@@ -129,7 +129,10 @@ class RingTracer {
 
 Rooms traceRegions(const VoronoiGraph& voronoi, const Regions& regions) {
   Rooms rooms(regions.count);
-  for (std::uint32_t r = 0; r < regions.count; ++r) rooms[r].region = r;
+  for (std::uint32_t r = 0; r < regions.count; ++r) {
+    rooms[r].region = r;
+    if (!regions.seen.empty()) rooms[r].seen = regions.seen[r];
+  }
   for (std::uint32_t v = 0; v < regions.regionOf.size(); ++v) {
     if (regions.regionOf[v] == Regions::kNone) continue;
     Room& room = rooms[regions.regionOf[v]];

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "roomgraph/base/Ids.h"
@@ -17,6 +18,9 @@ struct Area {
   Point widestPlace;                ///< centre of the largest disc that fits in
   double inscribedRadius = 0;       ///< of that disc [m]
   std::vector<PassageId> passages;  ///< ascending
+  /** How much of it was seen: the share of what bounds it that is wall and not the edge of the
+   *  unknown, beside the mean of the map, from 0 to 1. None with rooms of one alpha. */
+  std::optional<double> seen = {};
 
   [[nodiscard]] bool isRoom() const { return bool(room); }  ///< else corridor
 };
@@ -24,7 +28,7 @@ struct Area {
 /** Why an opening was taken for one. The wall of an end goes on where no cell beyond it, in line
  *  with the opening and as far as half of its width, is free. */
 enum class PassageReason : std::uint8_t {
-  wallOnBothSides,  ///< it is narrow beside both areas, and at both ends the wall goes on
+  wallOnBothSides,  ///< it is narrow beside both areas or doors, and at both ends the wall goes on
   wallOnOneSide,    ///< the same, at one end only: a door in the corner of a room
   narrowing,        ///< narrow beside both areas, between corners or things that stick out
   mouth,            ///< as wide as the narrower area, which opens into a wider one
@@ -34,15 +38,17 @@ enum class PassageReason : std::uint8_t {
 /** How sure it is that a passage is a door, and what speaks for it. */
 struct PassageEvidence {
   /** 0 to 1: the geometric mean of how much narrower it is than the narrower area, and than the
-   *  widest door; 0 where it is as wide as one of these. Where it is narrower than the narrowest
+   *  widest door; 0 where it is as wide as one of these. In a wall that goes on at both ends, up to
+   *  SplitAtDoorsOptions::corridorDoor, the latter alone. Where it is narrower than the narrowest
    *  room, as gaps beside furniture are, only that share of it. As many ends count as are wall. */
   double confidence = 0;
   PassageReason reason = PassageReason::narrowing;
 };
 
-/** An opening between two obstacles in which two areas meet. */
+/** An opening between two obstacles in which two areas meet, or through which beams have seen space,
+ *  but too little of it for an area. */
 struct Passage {
-  AreaId a, b;       ///< the smaller one first
+  AreaId a, b;       ///< the smaller one first; b is none for space that is in no area
   Point from, to;    ///< its two ends, which are obstacles [m, map frame]
   double width = 0;  ///< distance of its ends [m]
   PassageEvidence evidence = {};

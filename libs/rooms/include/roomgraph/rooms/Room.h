@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "roomgraph/base/Ids.h"
@@ -13,6 +14,7 @@ struct Room {
   Point widestPlace;           ///< centre of the largest disc between the obstacles that fits in
   double inscribedRadius = 0;  ///< of that disc [m]
   std::uint32_t region = 0;    ///< of Regions, which it was traced from; not kept in files
+  std::optional<double> seen = {};  ///< see Area; not kept in files
 };
 
 using Rooms = std::vector<Room>;  ///< by RoomId
