@@ -3,7 +3,6 @@
 #include <nanogui/opengl.h>
 
 #include <algorithm>
-#include <map>
 #include <memory>
 
 #include "roomgraph/base/printable.h"
@@ -22,16 +21,6 @@ constexpr int kMostRows = 14;                // of the layers of one map
 constexpr double kLayersShare = 0.55;        // of what both lists have, where there are faults
 constexpr std::size_t kLongest = 30;         // caption [bytes]
 constexpr double kQuick = 0.3;  // an extraction that is done while a slider moves takes less [s]
-
-/** Whether what each toggle stands for is on. */
-std::map<Wish, bool> toggles(const ViewState& state) {
-  return {{Wish::play, state.isPlaying},
-          {Wish::grow, state.growsMap},
-          {Wish::flicker, state.isFlickering},
-          {Wish::swipe, state.mode == Mode::swipe},
-          {Wish::nudge, state.mode == Mode::nudge},
-          {Wish::measure, state.mode == Mode::measure}};
-}
 
 /** A name as a caption, that makes the panel no wider than it need be. */
 std::string captionOf(const std::string& name) {
@@ -91,7 +80,7 @@ ViewPanel::ViewPanel(nanogui::Screen& screen, View& view, ViewState& state,
   const bool hasFaults = !view.faults.empty();
   const int ofLayers = hasFaults ? int(kLayersShare * lists) : lists;
   addLayers(*panel, layers, view_.map ? kMostRows * kRow : ofLayers);
-  addWishes(*panel);
+  addButtons(*panel);
   const int used = std::min(ofLayers, int(layers.size()) * kRow);
   if (hasFaults) addFaults(*panel, lists - used);
   if (view_.map) addOptions(*panel);
@@ -109,34 +98,26 @@ void ViewPanel::addLayers(nanogui::Widget& panel, const std::vector<std::string>
     auto* box = run == runs.end()
                     ? new nanogui::CheckBox(host, caption)
                     : new RunBox(host, caption, runColour(std::size_t(run - runs.begin())));
-    box->setCallback([this, layer](bool isShown) {
-      if (isShown)
-        state_.hidden.erase(layer);
-      else
-        state_.hidden.insert(layer);
+    box->setCallback([this, layer](bool) {
+      showOrHide(layer, state_);
       calls_.refresh();
     });
     boxes_[layer] = box;
   }
 }
 
-void ViewPanel::addWishes(nanogui::Widget& panel) {
+void ViewPanel::addButtons(nanogui::Widget& panel) {
   auto* tools = new nanogui::Widget(&panel);
   tools->setLayout(
       new nanogui::GridLayout(nanogui::Orientation::Horizontal, 2, nanogui::Alignment::Fill, 0, 3));
-  const auto add = [&](Wish wish, const char* name) {
-    auto* button = new nanogui::Button(tools, name);
+  for (const Action& action : actions()) {
+    if (!action.button || !action.isOf(view_)) continue;
+    auto* button = new nanogui::Button(tools, action.button);
     button->setFlags(nanogui::Button::ToggleButton);
     button->setFontSize(15);
-    button->setChangeCallback([this, wish](bool) { calls_.wish(wish); });
-    buttons_[wish] = button;
-  };
-  if (!view_.path(0).empty()) add(Wish::play, "play"), add(Wish::grow, "grow");
-  if (view_.comparison.runs.size() > 1) {
-    add(Wish::flicker, "flicker"), add(Wish::swipe, "swipe");
-    add(Wish::nudge, "nudge");
+    button->setChangeCallback([this, action](bool) { calls_.act(action); });
+    buttons_.emplace_back(action, button);
   }
-  add(Wish::measure, "measure");
 }
 
 void ViewPanel::addFaults(nanogui::Widget& panel, int height) {
@@ -188,8 +169,7 @@ void ViewPanel::addOptions(nanogui::Widget& panel) {
 }
 
 void ViewPanel::follow() {
-  const auto isOn = toggles(state_);
-  for (const auto& [wish, button] : buttons_) button->setPushed(isOn.at(wish));
+  for (const auto& [action, button] : buttons_) button->setPushed(action.isOn(state_));
   for (const auto& [layer, box] : boxes_) box->setChecked(state_.hidden.count(layer) == 0);
 }
 

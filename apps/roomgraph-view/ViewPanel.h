@@ -3,8 +3,11 @@
 
 #include <functional>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "ViewScene.h"
+#include "view_keys.h"
 
 namespace roomgraph {
 
@@ -13,7 +16,7 @@ class ViewPanel {
  public:
   /** What the panel calls. */
   struct Calls {
-    std::function<void(Wish)> wish;
+    std::function<void(const Action&)> act;
     std::function<void(std::size_t)> lookAtFault;
     std::function<void()> refresh;       ///< the state has changed
     std::function<void()> extractAgain;  ///< the options of the view have changed
@@ -27,7 +30,7 @@ class ViewPanel {
 
  private:
   void addLayers(nanogui::Widget& panel, const std::vector<std::string>& layers, int height);
-  void addWishes(nanogui::Widget& panel);
+  void addButtons(nanogui::Widget& panel);
   void addFaults(nanogui::Widget& panel, int height);
   void addOptions(nanogui::Widget& panel);
   void addOption(nanogui::Widget& panel, const std::string& name, const char* unit, double most,
@@ -36,7 +39,7 @@ class ViewPanel {
   View& view_;
   ViewState& state_;
   Calls calls_;
-  std::map<Wish, nanogui::Button*> buttons_;
+  std::vector<std::pair<Action, nanogui::Button*>> buttons_;
   std::map<std::string, nanogui::CheckBox*> boxes_;  // of the layers
   std::vector<std::function<void()>> captions_;      // of the options
 };

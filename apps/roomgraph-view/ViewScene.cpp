@@ -5,6 +5,7 @@
 #include "draw_marks.h"
 #include "draw_stage.h"
 #include "read_place.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/mrpt_plugin/colours.h"
 #include "roomgraph/mrpt_plugin/comparison_scene.h"
@@ -116,8 +117,7 @@ void ViewScene::drawGraphAgain() {
   scene_->insert(graph);
   shownStage_.reset();
   for (const char* name : kGraphParts)
-    if (graph->getByName(name) && std::find(layers_.begin(), layers_.end(), name) == layers_.end())
-      layers_.push_back(name);
+    if (graph->getByName(name) && !contains(layers_, name)) layers_.push_back(name);
 }
 
 void ViewScene::addPaths() {

@@ -26,9 +26,33 @@ std::optional<TwoMaps> twoMaps(const View& view, const ViewState& state) {
                  otherPose.inverse() * shownPose(view, state, state.run)};
 }
 
-constexpr std::size_t kStride = 10;  // of the larger steps [key frames]
+void showRun(std::size_t run, const View& view, ViewState& state) {
+  state.run = run;
+  state.nudge = {};
+  if (state.other == run) state.other.reset();
+  const std::size_t count = view.path(run).size();
+  state.frame = count > 0 ? std::min(state.frame, count - 1) : 0;
+}
 
-void step(bool isForward, std::size_t by, const View& view, ViewState& state) {
+}  // namespace
+
+std::optional<NudgeFit> nudgeFit(const View& view, const ViewState& state) {
+  const auto maps = twoMaps(view, state);
+  if (!maps) return std::nullopt;
+  const AlignmentEvidence evidence = verifyAlignment(*maps->other, *maps->moved, maps->pose);
+  const double known = std::max(1e-9, evidence.known);
+  return NudgeFit{evidence.overlap, std::min(1.0, evidence.loose / known),
+                  std::min(1.0, evidence.contradicted / known), alignmentScore(evidence)};
+}
+
+void fitNudge(const View& view, ViewState& state) {
+  const auto maps = twoMaps(view, state);
+  if (state.mode != Mode::nudge || !maps) return;
+  const Transform2D pose = refineAlignment(*maps->other, *maps->moved, maps->pose);
+  state.nudge = maps->otherPose * pose * view.comparison.runs[state.run].pose.inverse();
+}
+
+void stepFrames(bool isForward, std::size_t by, const View& view, ViewState& state) {
   const std::size_t count = view.path(state.run).size();
   if (count == 0) return;
   state.frame =
@@ -48,14 +72,6 @@ void stepStage(bool isForward, const View& view, ViewState& state) {
   const std::size_t now = state.stage.value_or(count);
   const std::size_t stage = (now + (isForward ? 1 : count)) % (count + 1);
   state.stage = stage < count ? std::optional(stage) : std::nullopt;
-}
-
-void showRun(std::size_t run, const View& view, ViewState& state) {
-  state.run = run;
-  state.nudge = {};
-  if (state.other == run) state.other.reset();
-  const std::size_t count = view.path(run).size();
-  state.frame = count > 0 ? std::min(state.frame, count - 1) : 0;
 }
 
 void nextRun(const View& view, ViewState& state) {
@@ -82,8 +98,7 @@ void play(const View& view, ViewState& state) {
   state.isPlaying = !state.isPlaying && count > 0;
 }
 
-/** Into a mode, or out of it. */
-void change(Mode mode, const View& view, ViewState& state) {
+void changeMode(Mode mode, const View& view, ViewState& state) {
   const bool isLeft = state.mode == mode;
   const bool needsOther = mode == Mode::swipe || mode == Mode::nudge;
   if (!isLeft && needsOther && !otherRun(view, state)) return;
@@ -111,76 +126,8 @@ void flicker(const View& view, ViewState& state) {
   if (state.isFlickering) state.mode = Mode::look;
 }
 
-void change(bool& flag) { flag = !flag; }
-
 void showOrHide(const std::string& layer, ViewState& state) {
   if (state.hidden.erase(layer) == 0) state.hidden.insert(layer);
-}
-
-/** Steps along the path of the run. */
-void walk(Wish wish, const View& view, ViewState& state) {
-  const bool isForward = wish == Wish::nextFrame || wish == Wish::tenOn || wish == Wish::lastFrame;
-  const bool isFar = wish == Wish::firstFrame || wish == Wish::lastFrame;
-  const bool isOne = wish == Wish::nextFrame || wish == Wish::previousFrame;
-  step(isForward, isFar ? view.path(state.run).size() : isOne ? 1 : kStride, view, state);
-}
-
-}  // namespace
-
-std::optional<NudgeFit> nudgeFit(const View& view, const ViewState& state) {
-  const auto maps = twoMaps(view, state);
-  if (!maps) return std::nullopt;
-  const AlignmentEvidence evidence = verifyAlignment(*maps->other, *maps->moved, maps->pose);
-  const double known = std::max(1e-9, evidence.known);
-  return NudgeFit{evidence.overlap, std::min(1.0, evidence.loose / known),
-                  std::min(1.0, evidence.contradicted / known), alignmentScore(evidence)};
-}
-
-void fitNudge(const View& view, ViewState& state) {
-  const auto maps = twoMaps(view, state);
-  if (state.mode != Mode::nudge || !maps) return;
-  const Transform2D pose = refineAlignment(*maps->other, *maps->moved, maps->pose);
-  state.nudge = maps->otherPose * pose * view.comparison.runs[state.run].pose.inverse();
-}
-
-void fulfil(Wish wish, const View& view, ViewState& state) {
-  switch (wish) {
-    case Wish::nextFrame:
-    case Wish::previousFrame:
-    case Wish::tenOn:
-    case Wish::tenBack:
-    case Wish::firstFrame:
-    case Wish::lastFrame:
-      return walk(wish, view, state);
-    case Wish::play:
-      return play(view, state);
-    case Wish::nextRun:
-      return nextRun(view, state);
-    case Wish::nextOther:
-      return nextOther(view, state);
-    case Wish::nextFault:
-    case Wish::previousFault:
-      return stepFault(wish == Wish::nextFault, view, state);
-    case Wish::flicker:
-      return flicker(view, state);
-    case Wish::grow:
-      return change(state.growsMap);
-    case Wish::nextStage:
-    case Wish::previousStage:
-      return stepStage(wish == Wish::nextStage, view, state);
-    case Wish::measure:
-      return change(Mode::measure, view, state);
-    case Wish::nudge:
-      return change(Mode::nudge, view, state);
-    case Wish::swipe:
-      return change(Mode::swipe, view, state);
-    case Wish::disagreement:
-      return showOrHide(kDisagreement, state);
-    case Wish::keys:
-      return change(state.showsKeys);
-    case Wish::leave:
-      return leave(state);
-  }
 }
 
 void lookAtFault(std::size_t number, const View& view, ViewState& state) {
@@ -223,7 +170,7 @@ bool isBusy(const ViewState& state) {
 
 bool playOn(const View& view, ViewState& state) {
   if (!state.isPlaying) return false;
-  step(true, 1, view, state);
+  stepFrames(true, 1, view, state);
   if (state.frame + 1 >= view.path(state.run).size()) state.isPlaying = false;
   return true;
 }

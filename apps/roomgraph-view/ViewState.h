@@ -40,33 +40,21 @@ struct ViewState {
   std::set<std::string> hidden{kDisagreement};  ///< layers, by name
 };
 
-/** What the user may ask for, by a key or a button. */
-enum class Wish {
-  nextFrame,
-  previousFrame,
-  tenOn,
-  tenBack,
-  firstFrame,
-  lastFrame,
-  play,
-  nextRun,
-  nextOther,
-  nextFault,
-  previousFault,
-  flicker,
-  grow,
-  nextStage,
-  previousStage,
-  measure,
-  nudge,
-  swipe,
-  disagreement,
-  keys,
-  leave,  ///< whatever was begun
-};
+// What the user may ask for, by a key or a button: as much of it is done as there is to show.
 
-/** Makes a wish true, as far as there is something to show. */
-void fulfil(Wish wish, const View& view, ViewState& state);
+/** So many key frames along the path of the run. */
+void stepFrames(bool isForward, std::size_t by, const View& view, ViewState& state);
+void stepFault(bool isForward, const View& view, ViewState& state);
+void stepStage(bool isForward, const View& view, ViewState& state);
+void nextRun(const View& view, ViewState& state);
+void nextOther(const View& view, ViewState& state);
+void play(const View& view, ViewState& state);
+void flicker(const View& view, ViewState& state);
+/** Into a mode, or out of it. */
+void changeMode(Mode mode, const View& view, ViewState& state);
+void showOrHide(const std::string& layer, ViewState& state);
+/** Ends whatever was begun. */
+void leave(ViewState& state);
 
 /** Looks at a fault: its run, and the key frame at which its later time is shown. */
 void lookAtFault(std::size_t number, const View& view, ViewState& state);
@@ -84,7 +72,7 @@ void nudgeBy(Point shift, double turn, const View& view, ViewState& state);
 /** Where a run lies, nudged or not: site <- run. */
 Transform2D shownPose(const View& view, const ViewState& state, std::size_t run);
 
-/** Whether there is something that Wish::leave would end. */
+/** Whether there is something that leave() would end. */
 bool isBusy(const ViewState& state);
 
 /** The time that flickering and playing need: called every half second of flickering, every tenth

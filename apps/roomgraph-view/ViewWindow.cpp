@@ -123,7 +123,7 @@ class Window : public mrpt::gui::CDisplayWindowGUI {
   }
 
   ViewPanel::Calls panelCalls() {
-    return {[this](Wish wish) { fulfilAndShow(wish); },
+    return {[this](const Action& action) { act(action, true); },
             [this](std::size_t number) {
               lookAtFault(number, view_, state_);
               lookAtFaultNow();
@@ -179,12 +179,12 @@ class Window : public mrpt::gui::CDisplayWindowGUI {
   }
 
   bool isKeyOfAll(int key, bool isShifted) {
-    if (const auto wish = wishOf(key, isShifted))
-      fulfilAndShow(*wish);
+    if (const auto [action, isForward] = actionOf(key, isShifted); action)
+      act(*action, isForward);
     else if (key == GLFW_KEY_HOME)
       lookAt(drawn_.box());
     else if (key == GLFW_KEY_ESCAPE && isBusy(state_))
-      fulfilAndShow(Wish::leave);
+      leave(state_);
     else if (key == GLFW_KEY_ESCAPE)
       nanogui::leave();
     else
@@ -192,12 +192,12 @@ class Window : public mrpt::gui::CDisplayWindowGUI {
     return true;
   }
 
-  void fulfilAndShow(Wish wish) {
-    fulfil(wish, view_, state_);
+  void act(const Action& action, bool isForward) {
+    action.run(isForward, view_, state_);
     if (state_.mode == Mode::swipe && !state_.swipe)
       state_.swipe =
           view_.onScreen()(Point{camera().getCameraPointingX(), camera().getCameraPointingY()}).x;
-    if (state_.fault && (wish == Wish::nextFault || wish == Wish::previousFault)) lookAtFaultNow();
+    if (state_.fault && action.run == stepFault) lookAtFaultNow();
     refresh();
   }
 

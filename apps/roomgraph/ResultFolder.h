@@ -3,7 +3,10 @@
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
+#include "output_names.h"
+#include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/write_file.h"
 
 namespace roomgraph {
@@ -28,6 +31,19 @@ class ResultFolder {
  private:
   std::string folder_;
   bool isNew_ = false;
+};
+
+/** Files that appear together in one folder, and their names in the order in which they were added.
+ *  What belongs elsewhere is added to `staged` alone. */
+struct FolderFiles {
+  std::string folder;
+  StagedFiles staged{};
+  std::vector<std::string> names{};
+
+  void add(const std::string& name, const std::string& bytes) {
+    names.push_back(inFolder(folder, name));
+    staged.add(names.back(), bytes);
+  }
 };
 
 }  // namespace roomgraph

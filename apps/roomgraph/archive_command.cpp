@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <memory>
 
 #include "ArchiveArguments.h"
@@ -10,6 +9,7 @@
 #include "roomgraph/archive/export_history.h"
 #include "roomgraph/archive/history_page.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
@@ -88,7 +88,7 @@ std::vector<WatchedSite> sitesToTell(const ArchiveArguments& arguments) {
   const Archive archive(arguments.archive, Archive::Access::existing);
   std::vector<std::string> sites = archive.sites();
   if (!arguments.site.empty()) {
-    if (std::find(sites.begin(), sites.end(), arguments.site) == sites.end())
+    if (!contains(sites, arguments.site))
       throw UsageError(arguments.archive + ": has no site " + arguments.site +
                        ": 'list' names those that it has");
     sites = {arguments.site};

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -9,6 +8,7 @@
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/StagedFiles.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/repair/MarkedFile.h"
@@ -40,8 +40,7 @@ CarryArguments withFiles(CarryArguments arguments) {
     for (std::string& run : arguments.via) run = fileOfRun(archive, site, run, file);
   for (std::string* run : {&arguments.from, &arguments.to}) {
     *run = fileOfRun(archive, site, *run, file);
-    arguments.via.erase(std::remove(arguments.via.begin(), arguments.via.end(), *run),
-                        arguments.via.end());
+    eraseIf(arguments.via, [&](const std::string& via) { return via == *run; });
   }
   return arguments;
 }

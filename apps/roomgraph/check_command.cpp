@@ -3,7 +3,6 @@
 #include <memory>
 #include <optional>
 
-#include "FolderFiles.h"
 #include "Laps.h"
 #include "ResultFolder.h"
 #include "commands.h"
@@ -110,13 +109,11 @@ int run(CheckArguments arguments) {
   const ResultFolder folder(arguments.folder);
   std::vector<std::optional<RunCheck>> found(arguments.files.size());
   UnusedOptions unused;
-  JobList jobs;
-  jobs.count = arguments.files.size();
-  jobs.fileOf = [&](std::size_t index) { return arguments.files[index]; };
-  jobs.run = [&](std::size_t index, JobReport& report, const std::function<void()>& stepDone) {
+  const auto checkOne = [&](std::size_t index, JobReport& report) {
     checkFile(arguments.files[index], arguments, found[index], unused, report);
-    stepDone();
   };
+  const JobList jobs{found.size(), checkOne,
+                     [&](std::size_t index) { return arguments.files[index]; }};
   const int exitCode = runInOrder(jobs, arguments.running.threads, !arguments.running.isQuiet);
   unused.tell(arguments.files.size());
   std::vector<RunCheck> checks;

@@ -11,12 +11,13 @@ namespace roomgraph {
  *  alarm. */
 enum ExitCode { kDone = 0, kBadData = 1, kBadUsage = 2, kGateFailed = 3 };
 
-/** A subcommand: declares its arguments and returns what to do once they are parsed. That returns
+/** Declares the arguments of a subcommand and returns what to do once they are parsed. That returns
  *  an exit code, and throws UsageError or DataError. */
+using Declare = std::function<int()>(CLI::App& app);
+
 struct Command {
-  const char* name;
-  const char* sentence;
-  std::function<int()> (*declare)(CLI::App& app);
+  const char *name, *sentence;
+  Declare* declare;
 };
 
 /** Declares an option by its names and what its value is called in the help, "-o,--output DIR", or
@@ -64,26 +65,10 @@ inline CLI::Validator isWithin(double least, double most) {
       "");
 }
 
-// What declares each of them, see Command::declare.
-std::function<int()> extractCommand(CLI::App& app);
-std::function<int()> routeCommand(CLI::App& app);
-std::function<int()> whereCommand(CLI::App& app);
-std::function<int()> compareCommand(CLI::App& app);
-std::function<int()> checkCommand(CLI::App& app);
-std::function<int()> repairCommand(CLI::App& app);
-std::function<int()> mergeCommand(CLI::App& app);
-std::function<int()> carryCommand(CLI::App& app);
-std::function<int()> reportCommand(CLI::App& app);
-std::function<int()> archiveCommand(CLI::App& app);
-std::function<int()> watchCommand(CLI::App& app);
-std::function<int()> planCommand(CLI::App& app);
-std::function<int()> taskCommand(CLI::App& app);
-std::function<int()> collectCommand(CLI::App& app);
-std::function<int()> stabilityCommand(CLI::App& app);
-std::function<int()> scoreRoomsCommand(CLI::App& app);
-std::function<int()> convertCommand(CLI::App& app);
-std::function<int()> exportRawlogCommand(CLI::App& app);
-std::function<int()> infoCommand(CLI::App& app);
-std::function<int()> configCommand(CLI::App& app);
+// What declares each of them.
+Declare extractCommand, routeCommand, whereCommand, compareCommand, checkCommand, repairCommand,
+    mergeCommand, carryCommand, reportCommand, archiveCommand, watchCommand, planCommand,
+    taskCommand, collectCommand, stabilityCommand, scoreRoomsCommand, convertCommand,
+    exportRawlogCommand, infoCommand, configCommand;
 
 }  // namespace roomgraph

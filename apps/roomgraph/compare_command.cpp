@@ -1,10 +1,8 @@
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
 #include <utility>
 
-#include "FolderFiles.h"
 #include "Laps.h"
 #include "ResultFolder.h"
 #include "commands.h"
@@ -13,6 +11,8 @@
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/containers.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/compare/run_names.h"
@@ -89,7 +89,7 @@ std::vector<std::string> allFiles(const CompareArguments& arguments) {
   for (const std::string& file : arguments.files)
     if (!isReference(file, arguments)) files.push_back(file);
   for (const std::string& file : arguments.candidates)
-    if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+    if (!contains(files, file)) files.push_back(file);
   return files;
 }
 
@@ -131,8 +131,7 @@ std::vector<std::string> candidatesOf(const CompareArguments& arguments,
                                       const Comparison& comparison) {
   std::vector<std::string> names;
   const auto add = [&](const auto& run) {
-    const std::vector<std::string>& files = arguments.candidates;
-    if (std::find(files.begin(), files.end(), run.file) != files.end()) names.push_back(run.name);
+    if (contains(arguments.candidates, run.file)) names.push_back(run.name);
   };
   for (const ComparedRun& run : comparison.runs) add(run);
   for (const LeftOutRun& run : comparison.leftOut) add(run);
@@ -194,13 +193,10 @@ void check(const CompareArguments& arguments) {
 
 /** What could be read, but is of another site than those that were compared. */
 ReadRuns otherSitesIn(ReadRuns read, const Comparison& comparison) {
-  const auto isOther = [&](const Run& run) {
-    return std::any_of(comparison.leftOut.begin(), comparison.leftOut.end(),
-                       [&](const LeftOutRun& left) { return left.name == run.name; });
-  };
+  const std::vector<std::string> names = mapped(comparison.leftOut, &LeftOutRun::name);
   ReadRuns others;
   for (Run& run : read.runs)
-    if (isOther(run)) others.runs.push_back(std::move(run));
+    if (contains(names, run.name)) others.runs.push_back(std::move(run));
   return others;
 }
 

@@ -9,6 +9,7 @@
 #include "option_arguments.h"
 #include "output_formats.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/mapped.h"
 #include "roomgraph/base/printable.h"
@@ -67,12 +68,9 @@ std::vector<std::string> allFormats() {
 ResultFiles::ResultFiles(std::filesystem::path folder, const std::string& formats)
     : folder_(std::move(folder)) {
   const std::vector<std::string> chosen = chosenFormats(formats, allFormats(), {kTrajectories});
-  const auto isChosen = [&](const char* format) {
-    return std::count(chosen.begin(), chosen.end(), format) > 0;
-  };
   for (const ComparisonFile& file : kFiles)
-    if (isChosen(file.format)) files_.push_back(&file);
-  hasTrajectories_ = isChosen(kTrajectories);
+    if (contains(chosen, file.format)) files_.push_back(&file);
+  hasTrajectories_ = contains(chosen, kTrajectories);
 }
 
 std::string ResultFiles::nameOf(const ComparisonFile& file) const {
@@ -87,7 +85,7 @@ std::vector<std::string> ResultFiles::keepDrawn() {
     kept.emplace_back(file->name);
     return true;
   };
-  files_.erase(std::remove_if(files_.begin(), files_.end(), isKept), files_.end());
+  eraseIf(files_, isKept);
   return kept;
 }
 

@@ -1,6 +1,5 @@
 #include <memory>
 
-#include "FolderFiles.h"
 #include "ResultFolder.h"
 #include "commands.h"
 #include "option_arguments.h"

@@ -72,11 +72,10 @@ bool isMadeOfScans(const std::string& kind) {
 /** One map on its way from file to files: all of them, or none where the map or a drawing fails. */
 class Extraction {
  public:
-  Extraction(const std::string& mapFile, const ExtractTask& task,
-             const std::function<void()>& stepDone)
-      : mapFile_(mapFile), task_(task), arguments_(task.arguments), stepDone_(stepDone) {}
+  Extraction(const std::string& mapFile, const ExtractTask& task, JobReport& report)
+      : mapFile_(mapFile), task_(task), arguments_(task.arguments), report_(report) {}
 
-  JobReport run() {
+  void run() {
     GreyMap map = loadGrid(mapFile_, task_.options.loadGrid);
     lap("load_grid");
     // Only the pictures of the steps show the diagram.
@@ -84,16 +83,15 @@ class Extraction {
                               ? extractGraph(std::move(map), task_.options)
                               : extract(map, task_.options);
     laps_.end(stages.timings);
-    stepDone_();
+    report_.stepDone();
     writeResults(stages);
     describe(stages);
-    return std::move(report_);
   }
 
  private:
   void lap(const std::string& stage) {
     laps_.end(stage);
-    stepDone_();
+    report_.stepDone();
   }
 
   void writeResults(const Stages& stages) {
@@ -122,7 +120,7 @@ class Extraction {
         add(format.yamlExtension(), rosMapYaml(stages.grid.frame, name, {}, *format.map));
     }
     staged.commit();
-    lap("write_files");
+    laps_.end("write_files");
   }
 
   void checkKeptOut(const RoomGraph& graph) const {
@@ -162,8 +160,7 @@ class Extraction {
   const std::string& mapFile_;
   const ExtractTask& task_;
   const ExtractArguments& arguments_;
-  const std::function<void()>& stepDone_;
-  JobReport report_;
+  JobReport& report_;
   std::vector<std::string> files_;
   Laps laps_;
 };
@@ -223,13 +220,12 @@ int run(const ExtractArguments& arguments) {
   std::optional<ResultFolder> stages;
   if (!arguments.stagesFolder.empty()) stages.emplace(arguments.stagesFolder);
 
-  JobList jobs;
-  jobs.count = arguments.maps.size();
-  jobs.stepsPerJob = task.formats.size() + (arguments.stagesFolder.empty() ? 3 : 4);
-  jobs.fileOf = [&](std::size_t index) { return arguments.maps[index]; };
-  jobs.run = [&](std::size_t index, JobReport& report, const std::function<void()>& stepDone) {
-    report = Extraction(arguments.maps[index], task, stepDone).run();
+  const std::vector<std::string>& maps = arguments.maps;
+  const auto extractOne = [&](std::size_t index, JobReport& report) {
+    Extraction(maps[index], task, report).run();
   };
+  const JobList jobs{maps.size(), extractOne, [&](std::size_t index) { return maps[index]; },
+                     task.formats.size() + (arguments.stagesFolder.empty() ? 3 : 4)};
   const int exitCode = runInOrder(jobs, arguments.running.threads, !arguments.running.isQuiet);
   unused.tell(arguments.maps.size());
   return exitCode;

@@ -5,7 +5,6 @@
 #include <functional>
 #include <memory>
 
-#include "FolderFiles.h"
 #include "ResultFolder.h"
 #include "commands.h"
 #include "more_files.h"

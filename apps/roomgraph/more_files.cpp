@@ -9,6 +9,7 @@
 #include "file_authors.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/InputFile.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/mapped.h"
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/grid/binarize.h"
@@ -110,11 +111,9 @@ std::string scanLog(const std::string& file, const LoadGridOptions& reading,
   if (std::max(stretch.from, to) > last)
     throw DataError(file + ": its last key frame is " + std::to_string(last) +
                     ": choose --from and --to up to that");
-  scans.erase(std::remove_if(scans.begin(), scans.end(),
-                             [&](const PlacedScan& scan) {
-                               return scan.keyFrame < stretch.from || scan.keyFrame > to;
-                             }),
-              scans.end());
+  eraseIf(scans, [&](const PlacedScan& scan) {
+    return scan.keyFrame < stretch.from || scan.keyFrame > to;
+  });
   return rawlogBytes(scans);
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "FolderFiles.h"
+#include "ResultFolder.h"
 #include "roomgraph/check/RunCheck.h"
 #include "roomgraph/compare/Comparison.h"
 #include "roomgraph/grid/LoadGridOptions.h"

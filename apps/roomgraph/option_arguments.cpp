@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/InputFile.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/read_document.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/graph_files/read_graph_json.h"
@@ -149,7 +150,7 @@ void declareFailOn(std::vector<std::string>& lists, const std::vector<std::strin
   // CLI11's own lists pass over what is empty.
   const auto fault = [known](const std::string& list) -> std::string {
     for (const std::string& word : wordsOf(list))
-      if (std::find(known.begin(), known.end(), word) == known.end())
+      if (!contains(known, word))
         return "'" + word + "' is not one of " + listed(known) + ", separated by commas";
     return {};
   };
@@ -159,10 +160,8 @@ void declareFailOn(std::vector<std::string>& lists, const std::vector<std::strin
 }
 
 bool isListed(const std::vector<std::string>& lists, const std::string& word) {
-  return std::any_of(lists.begin(), lists.end(), [&](const std::string& list) {
-    const std::vector<std::string> words = wordsOf(list);
-    return std::find(words.begin(), words.end(), word) != words.end();
-  });
+  return std::any_of(lists.begin(), lists.end(),
+                     [&](const std::string& list) { return contains(wordsOf(list), word); });
 }
 
 void declareOutput(std::string& folder, const std::string& results, CLI::App& app) {

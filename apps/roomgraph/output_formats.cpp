@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/drawing/draw.h"
@@ -95,16 +96,13 @@ std::vector<std::string> chosenFormats(const std::string& list,
                                        const std::vector<std::string>& more) {
   std::vector<std::string> chosen;
   const auto add = [&](const std::string& name) {
-    if (std::count(chosen.begin(), chosen.end(), name) == 0) chosen.push_back(name);
-  };
-  const auto isIn = [](const std::vector<std::string>& names, const std::string& name) {
-    return std::count(names.begin(), names.end(), name) > 0;
+    if (!contains(chosen, name)) chosen.push_back(name);
   };
   std::istringstream in(list);
   for (std::string name; std::getline(in, name, ',');) {
     if (name == "all")
       for (const std::string& each : known) add(each);
-    else if (isIn(known, name) || isIn(more, name))
+    else if (contains(known, name) || contains(more, name))
       add(name);
     else
       throw UsageError("there is no format '" + name + "': --format takes " +

@@ -1,13 +1,12 @@
-#include <algorithm>
 #include <memory>
 #include <set>
 
-#include "FolderFiles.h"
 #include "ResultFolder.h"
 #include "commands.h"
 #include "file_authors.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/mapped.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
@@ -62,8 +61,7 @@ void addGrids(const std::vector<std::string>& mended, const ExtractOptions& opti
 }
 
 bool isAskedFor(const std::string& run, const RepairArguments& arguments) {
-  const std::vector<std::string>& only = arguments.only;
-  return only.empty() || std::find(only.begin(), only.end(), run) != only.end();
+  return arguments.only.empty() || contains(arguments.only, run);
 }
 
 void check(const RepairArguments& arguments) {

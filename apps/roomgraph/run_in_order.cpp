@@ -66,8 +66,10 @@ int runInOrder(const JobList& jobs, std::size_t threads, bool showProgress) {
   };
   Workers workers(threads, jobs.count, [&](std::size_t i) {
     JobReport report;
+    report.stepDone = [&] { ++stepsDone; };
     try {
-      jobs.run(i, report, [&] { ++stepsDone; });
+      jobs.run(i, report);
+      ++stepsDone;
     } catch (...) {
       if (!jobs.fileOf) throw;
       const Failure failure = currentFailure(jobs.fileOf(i));
@@ -90,13 +92,7 @@ int runInOrder(const JobList& jobs, std::size_t threads, bool showProgress) {
 
 ForEach onThreads(std::size_t threads, bool showProgress) {
   return [threads, showProgress](std::size_t count, const std::function<void(std::size_t)>& job) {
-    JobList jobs;
-    jobs.count = count;
-    jobs.run = [&](std::size_t i, JobReport&, const std::function<void()>& stepDone) {
-      job(i);
-      stepDone();
-    };
-    runInOrder(jobs, threads, showProgress);
+    runInOrder({count, [&](std::size_t i, JobReport&) { job(i); }}, threads, showProgress);
   };
 }
 

@@ -11,17 +11,16 @@ namespace roomgraph {
 struct JobReport {
   std::string out, err;  ///< for stdout and stderr, whole lines
   int exitCode = 0;
+  std::function<void()> stepDone{};  ///< to be called after each of its steps but the last
 };
 
 struct JobList {
   std::size_t count = 0;
-  std::size_t stepsPerJob = 1;  ///< how often each job reports progress
-  /** Does job `index`, fills in its report and calls `stepDone` after each step. Runs on any
-   *  thread. */
-  std::function<void(std::size_t index, JobReport& report, const std::function<void()>& stepDone)>
-      run;
+  /** Does job `index` and fills in its report. Runs on any thread. */
+  std::function<void(std::size_t index, JobReport& report)> run;
   /** The file that a job is done for: what the job throws then is told in its report. */
   std::function<std::string(std::size_t index)> fileOf{};
+  std::size_t stepsPerJob = 1;  ///< for the bar of their progress
 };
 
 /** Runs the jobs on `threads` threads, 0 standing for one per core, and prints what each has to say

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/check/check_run.h"
 #include "roomgraph/repair/solve_runs.h"
@@ -57,7 +58,7 @@ CompareMapsOptions siteOptions(const SiteArguments& arguments) {
   options.compare.forEach = onThreads(arguments.running.threads, !arguments.running.isQuiet);
   options.onUnread = [needed = arguments.needed](const LeftOutRun& run) {
     const std::string line = run.file + ": " + run.reason;
-    if (std::count(needed.begin(), needed.end(), run.file)) throw DataError(line);
+    if (contains(needed, run.file)) throw DataError(line);
     printError(line);
   };
   return options;

@@ -108,14 +108,11 @@ class Progress {
 int measurePending(const StabilityBase& base, Progress& progress, const std::string& mapFile,
                    const StabilityArguments& arguments) {
   const std::vector<std::size_t> pending = progress.pending();
-  JobList jobs;
-  jobs.count = pending.size();
-  jobs.fileOf = [&](std::size_t) { return mapFile; };
-  jobs.run = [&](std::size_t job, JobReport&, const std::function<void()>& stepDone) {
+  const auto measure = [&](std::size_t job, JobReport&) {
     progress.add(pending[job], measureRun(base, progress.run(pending[job])));
-    stepDone();
   };
-  return runInOrder(jobs, arguments.threads, !arguments.isQuiet);
+  return runInOrder({pending.size(), measure, [&](std::size_t) { return mapFile; }},
+                    arguments.threads, !arguments.isQuiet);
 }
 
 std::string summary(const Stability& result) {

@@ -90,7 +90,7 @@ TEST(ViewScene, atABreakTheNamesOfOthersAreGone) {
   drawn.update(state);
   EXPECT_FALSE(drawn.scene()->getByName("breaks")->isVisible());
   EXPECT_FALSE(drawn.scene()->getByName("room names")->isVisible());
-  fulfil(Wish::leave, view, state);
+  leave(state);
   drawn.update(state);
   EXPECT_TRUE(drawn.scene()->getByName("breaks")->isVisible());
   EXPECT_TRUE(drawn.scene()->getByName("room names")->isVisible());
@@ -134,7 +134,7 @@ TEST(ViewScene, flickeringShowsOneRunAfterTheOther) {
   ViewScene drawn(view);
   ViewState state;
   state.run = 1;
-  fulfil(Wish::flicker, view, state);
+  flicker(view, state);
   for (int turn = 0; turn < 2; ++turn) {
     drawn.update(state);
     EXPECT_EQ(drawn.scene()->getByName("run torn")->isVisible(), turn == 0);
@@ -185,7 +185,7 @@ TEST(ViewScene, showsWhereRunsDisagreeWhenAsked) {
   const auto layer = drawn.scene()->getByName("disagreement");
   ASSERT_TRUE(layer);
   EXPECT_FALSE(layer->isVisible());
-  fulfil(Wish::disagreement, view, state);
+  showOrHide(kDisagreement, state);
   drawn.update(state);
   EXPECT_TRUE(layer->isVisible());
   const auto squares = setOf(drawn, "disagreement")->getByClass<viz::CSetOfTriangles>();
@@ -198,7 +198,7 @@ TEST(ViewScene, aSwipeShowsEachRunOnItsSide) {
   const View view = viewWithMaps();
   ViewScene drawn(view);
   ViewState state;
-  fulfil(Wish::swipe, view, state);
+  changeMode(Mode::swipe, view, state);
   state.swipe = view.runs[0].map.middle().x;
   drawn.update(state);
   const auto swipe = setOf(setOf(drawn, "marks"), 0);

@@ -9,116 +9,119 @@ namespace {
 
 using test::sampleView;
 
-TEST(Fulfil, stepsStayWithinTheRun) {
+TEST(ViewState, stepsStayWithinTheRun) {
   const View view = sampleView();
   ViewState state;
-  const auto after = [&](Wish wish) {
-    fulfil(wish, view, state);
+  const auto after = [&](bool isForward, std::size_t by) {
+    stepFrames(isForward, by, view, state);
     return state.frame;
   };
-  EXPECT_EQ(after(Wish::previousFrame), 0u);
-  EXPECT_EQ(after(Wish::nextFrame), 1u);
-  EXPECT_EQ(after(Wish::tenOn), 4u);
-  EXPECT_EQ(after(Wish::tenBack), 0u);
-  EXPECT_EQ(after(Wish::lastFrame), 4u);
-  EXPECT_EQ(after(Wish::firstFrame), 0u);
+  EXPECT_EQ(after(false, 1), 0u);
+  EXPECT_EQ(after(true, 1), 1u);
+  EXPECT_EQ(after(true, 10), 4u);
+  EXPECT_EQ(after(false, 10), 0u);
 }
 
-TEST(Fulfil, theNextRunHasItsOwnKeyFrames) {
+TEST(ViewState, theNextRunHasItsOwnKeyFrames) {
   const View view = sampleView();
   ViewState state;
   state.run = 1, state.frame = 29;
-  fulfil(Wish::nextRun, view, state);
+  nextRun(view, state);
   EXPECT_EQ(state.run, 0u);
   EXPECT_EQ(state.frame, 4u);
 }
 
-TEST(Fulfil, breaksComeOneAfterTheOtherAndRoundAgain) {
+TEST(ViewState, breaksComeOneAfterTheOtherAndRoundAgain) {
   const View view = sampleView();
   ViewState state;
-  fulfil(Wish::nextFault, view, state);
+  stepFault(true, view, state);
   EXPECT_EQ(state.fault, 0u);
   EXPECT_EQ(state.run, 1u);
   EXPECT_EQ(state.frame, 12u);
-  fulfil(Wish::nextFault, view, state);
+  stepFault(true, view, state);
   EXPECT_EQ(state.fault, 1u);
   EXPECT_EQ(state.run, 0u);
-  fulfil(Wish::nextFault, view, state);
+  stepFault(true, view, state);
   EXPECT_EQ(state.fault, 0u);
-  fulfil(Wish::previousFault, view, state);
+  stepFault(false, view, state);
   EXPECT_EQ(state.fault, 1u);
 }
 
-TEST(Fulfil, modesEndEachOtherAndNeedASecondRun) {
+TEST(ViewState, modesEndEachOtherAndNeedASecondRun) {
   const View view = sampleView();
   ViewState state;
-  fulfil(Wish::measure, view, state);
+  changeMode(Mode::measure, view, state);
   state.corners = {{0, 0}, {3, 4}};
   EXPECT_EQ(state.mode, Mode::measure);
-  fulfil(Wish::swipe, view, state);
+  changeMode(Mode::swipe, view, state);
   EXPECT_EQ(state.mode, Mode::swipe);
   EXPECT_TRUE(state.corners.empty());
-  fulfil(Wish::swipe, view, state);
+  changeMode(Mode::swipe, view, state);
   EXPECT_EQ(state.mode, Mode::look);
   View alone = view;
   alone.comparison.runs.resize(1);
-  fulfil(Wish::swipe, alone, state);
+  changeMode(Mode::swipe, alone, state);
   EXPECT_EQ(state.mode, Mode::look) << "there is nothing to hold the run against";
   EXPECT_FALSE(isBusy(state));
 }
 
-TEST(Fulfil, leavingEndsAllThatWasBegun) {
+TEST(ViewState, leavingEndsAllThatWasBegun) {
   const View view = sampleView();
-  for (const Wish wish : {Wish::play, Wish::flicker, Wish::measure, Wish::nudge, Wish::swipe,
-                          Wish::keys, Wish::nextFault}) {
+  const auto leaves = [&](const auto& begin) {
     ViewState state;
-    fulfil(wish, view, state);
-    EXPECT_TRUE(isBusy(state)) << int(wish);
-    fulfil(Wish::leave, view, state);
-    EXPECT_FALSE(isBusy(state)) << int(wish);
-  }
+    begin(state);
+    const bool wasBusy = isBusy(state);
+    leave(state);
+    return wasBusy && !isBusy(state);
+  };
+  EXPECT_TRUE(leaves([&](ViewState& state) { play(view, state); }));
+  EXPECT_TRUE(leaves([&](ViewState& state) { flicker(view, state); }));
+  EXPECT_TRUE(leaves([&](ViewState& state) { stepFault(true, view, state); }));
+  EXPECT_TRUE(leaves([](ViewState& state) { state.showsKeys = true; }));
+  for (const Mode mode : {Mode::measure, Mode::nudge, Mode::swipe})
+    EXPECT_TRUE(leaves([&](ViewState& state) { changeMode(mode, view, state); })) << int(mode);
 }
 
-TEST(Fulfil, atABreakTheBestOtherRunIsShownFirst) {
+TEST(ViewState, atABreakTheBestOtherRunIsShownFirst) {
   View view = sampleView();
   view.comparison.runs.resize(3);
   ViewState state;
   lookAtFault(0, view, state);  // of run 1
-  fulfil(Wish::nextOther, view, state);
+  nextOther(view, state);
   EXPECT_EQ(state.other, 0u);
-  fulfil(Wish::nextOther, view, state);
+  nextOther(view, state);
   EXPECT_EQ(state.other, 2u);
 }
 
-TEST(Fulfil, theOtherRunIsNeverTheShownOne) {
+TEST(ViewState, theOtherRunIsNeverTheShownOne) {
   View view = sampleView();
   view.comparison.runs.resize(3);
   ViewState state;
   state.run = 1;
   EXPECT_EQ(otherRun(view, state), 0u);
-  fulfil(Wish::nextOther, view, state);
+  nextOther(view, state);
   EXPECT_EQ(otherRun(view, state), 2u);
-  fulfil(Wish::nextOther, view, state);
+  nextOther(view, state);
   EXPECT_EQ(otherRun(view, state), 0u);
-  fulfil(Wish::nextRun, view, state);
-  fulfil(Wish::nextRun, view, state);
+  nextRun(view, state);
+  nextRun(view, state);
   EXPECT_EQ(state.run, 0u);
   EXPECT_EQ(otherRun(view, state), 1u);
 }
 
-TEST(Fulfil, stagesComeOneAfterTheOtherAndThenTheResult) {
+TEST(ViewState, stagesComeOneAfterTheOtherAndThenTheResult) {
   View view = sampleView();
   ViewState state;
-  fulfil(Wish::nextStage, view, state);
+  stepStage(true, view, state);
   EXPECT_FALSE(state.stage) << "runs have no stages here";
   view.stages.emplace();
-  fulfil(Wish::nextStage, view, state);
+  stepStage(true, view, state);
   EXPECT_EQ(state.stage, 0u);
-  fulfil(Wish::previousStage, view, state);
+  stepStage(false, view, state);
   EXPECT_FALSE(state.stage);
-  fulfil(Wish::previousStage, view, state);
+  stepStage(false, view, state);
   EXPECT_EQ(state.stage, 15u);
-  fulfil(Wish::nextStage, view, state);
+  stepStage(true, view, state);
   EXPECT_FALSE(state.stage);
 }
 
@@ -126,11 +129,11 @@ TEST(PlayOn, goesToTheEndAndStops) {
   const View view = sampleView();
   ViewState state;
   EXPECT_FALSE(playOn(view, state));
-  fulfil(Wish::play, view, state);
+  play(view, state);
   for (int k = 0; k < 4; ++k) EXPECT_TRUE(playOn(view, state));
   EXPECT_EQ(state.frame, 4u);
   EXPECT_FALSE(playOn(view, state));
-  fulfil(Wish::play, view, state);
+  play(view, state);
   EXPECT_EQ(state.frame, 0u) << "from the start again";
 }
 

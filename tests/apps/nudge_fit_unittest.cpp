@@ -13,7 +13,7 @@ TEST(NudgeBy, turnsAboutTheMiddleOfTheMap) {
   ViewState state;
   nudgeBy({1, 0}, 0, view, state);
   EXPECT_EQ(shownPose(view, state, 0).x, 0) << "only while nudging";
-  fulfil(Wish::nudge, view, state);
+  changeMode(Mode::nudge, view, state);
   const auto before = nudgeFit(view, state);
   ASSERT_TRUE(before);
   EXPECT_NEAR(before->overlap, 1, 1e-9);

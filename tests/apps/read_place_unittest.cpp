@@ -13,7 +13,7 @@ using test::viewOfMap;
 TEST(ReadState, measuresWhatWasClicked) {
   const View view = sampleView();
   ViewState state;
-  fulfil(Wish::measure, view, state);
+  changeMode(Mode::measure, view, state);
   state.corners = {{0, 0}, {3, 4}, {3, 5}};
   EXPECT_EQ(readState(view, state).back(), "measured: 6.00 m, the last piece 1.00 m");
 }

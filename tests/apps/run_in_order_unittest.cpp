@@ -11,12 +11,7 @@ namespace roomgraph {
 namespace {
 
 JobList jobsThat(std::size_t count, const std::function<JobReport(std::size_t)>& work) {
-  JobList jobs;
-  jobs.count = count;
-  jobs.run = [work](std::size_t i, JobReport& report, const std::function<void()>&) {
-    report = work(i);
-  };
-  return jobs;
+  return {count, [work](std::size_t i, JobReport& report) { report = work(i); }};
 }
 
 TEST(RunInOrder, printsInTheOrderOfTheJobs) {
