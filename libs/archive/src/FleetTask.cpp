@@ -1,12 +1,12 @@
 #include "roomgraph/archive/FleetTask.h"
 
-#include <algorithm>
 #include <map>
 #include <sstream>
 
 #include "roomgraph/archive/plan_fleet.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/Json.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/mapped.h"
 
 namespace roomgraph {
@@ -23,7 +23,7 @@ void dropOthers(ReadRuns& read, const FleetTask& task, std::vector<std::string>&
     read.leftOut.push_back({run.name, run.file, reason, false});
     failures.push_back(run.file + ": " + reason);
   }
-  read.runs.erase(std::remove_if(read.runs.begin(), read.runs.end(), isOther), read.runs.end());
+  eraseIf(read.runs, isOther);
 }
 
 FleetTask taskOf(const Json& json) {

@@ -5,6 +5,7 @@
 
 #include "roomgraph/archive/record_files.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/check/check_run.h"
 #include "roomgraph/map_files/map_sha256.h"
 #include "roomgraph/report/run_check_json.h"
@@ -54,10 +55,8 @@ void checkAlone(const ReadRuns& read, const std::string& sha256, Comparison& com
 Addition comparedWithRecord(const Archive& archive, const std::string& added,
                             const std::string& sha256, const AddRunOptions& options) {
   const std::vector<HistoryRun> known = archive.runs(options.site);
-  std::vector<std::string> files;
-  for (const HistoryRun& run : recordRuns(known, options.most, options.onMissing))
-    files.push_back(run.file);
-  const ReadRuns read = readAll(files, added, options);
+  const auto record = recordRuns(known, options.most, options.onMissing);
+  const ReadRuns read = readAll(mapped(record, &HistoryRun::file), added, options);
   Addition addition;
   addition.site = options.site, addition.knownRuns = known.size();
   addition.runs = {{sha256, options.robot, added, options.time ? *options.time : runTime(added)}};

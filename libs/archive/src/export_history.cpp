@@ -24,11 +24,10 @@ std::string csvLine(const std::string& site, const HistoryRun& run) {
   std::string line = csvField(site) + "," + csvField(run.robot) + "," + timeText(run.time) + "," +
                      csvField(run.file) + "," + run.sha256 + "," +
                      (run.isPlaced ? "placed" : "other site");
-  const Measure* error = find(run.figures, kMapError);
-  line += "," + csvNumber(error ? error->value : std::nullopt) + "," +
-          csvNumber(error ? error->low : std::nullopt) + "," +
-          csvNumber(error ? error->high : std::nullopt) +
-          (error && error->isMeaningful ? ",1" : ",0");
+  const Measure* known = find(run.figures, kMapError);
+  const Measure error = known ? *known : Measure();
+  for (const auto& value : {error.value, error.low, error.high}) line += "," + csvNumber(value);
+  line += error.isMeaningful ? ",1" : ",0";
   for (const char* name : {kScore, kBreaks}) line += "," + csvNumber(valueOf(run.figures, name));
   for (const MeasureKind& kind : runMeasureKinds())
     line += "," + csvNumber(valueOf(run.figures, kind.name));

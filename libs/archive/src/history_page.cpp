@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "error_plot.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
@@ -20,10 +21,7 @@ struct Row {
   const RobotWatch* robot = nullptr;
 };
 
-std::string metres(std::optional<double> value) {
-  if (!value) return "–";
-  return formatted("%.3f", *value);
-}
+std::string metres(std::optional<double> value) { return value ? formatted("%.3f", *value) : "–"; }
 
 /** The larger, the more it needs attention. */
 int needOf(const RobotWatch& robot) {
@@ -153,7 +151,7 @@ std::string siteHtml(const WatchedSite& site, std::size_t number, const WatchOpt
 std::string sitesHtml(const std::vector<Row>& rows, const WatchOptions& options) {
   std::vector<const WatchedSite*> sites;
   for (const Row& row : rows)
-    if (std::find(sites.begin(), sites.end(), row.site) == sites.end()) sites.push_back(row.site);
+    if (!contains(sites, row.site)) sites.push_back(row.site);
   std::string html =
       "<p class=\"hint\">A dot is a run, its line holds the true error in about 8 of 10 cases; a "
       "cross is a map with a break, a triangle one that lies beyond the picture, the ring the last "

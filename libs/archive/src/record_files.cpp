@@ -4,7 +4,6 @@
 #include <chrono>
 #include <filesystem>
 #include <limits>
-#include <optional>
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/InputFile.h"
@@ -30,36 +29,6 @@ bool holds(const std::string& file, const std::string& sha256) {
 // Rooms change over years, so the best of all times is no judge; nor are the files of years asked
 // for.
 constexpr std::size_t kLast = 100;
-
-/** Fills a list of runs, each once, up to a number. */
-class Choice {
- public:
-  Choice(const std::vector<HistoryRun>& runs,
-         const std::function<bool(const HistoryRun&)>& isUsable)
-      : runs_(runs), isUsable_(isUsable), states_(runs.size()) {}
-
-  void fill(const std::vector<std::size_t>& candidates, std::size_t upTo) {
-    for (const std::size_t i : candidates) {
-      if (chosen_.size() >= upTo) return;
-      if (states_[i]) continue;
-      states_[i] = isUsable_(runs_[i]);
-      if (*states_[i]) chosen_.push_back(i);
-    }
-  }
-
-  std::size_t count() const { return chosen_.size(); }
-
-  std::vector<std::size_t> inOrder() {
-    std::sort(chosen_.begin(), chosen_.end());
-    return chosen_;
-  }
-
- private:
-  const std::vector<HistoryRun>& runs_;
-  const std::function<bool(const HistoryRun&)>& isUsable_;
-  std::vector<std::optional<bool>> states_;  // whether it is usable; none where nobody has asked
-  std::vector<std::size_t> chosen_;
-};
 
 }  // namespace
 
@@ -117,12 +86,21 @@ std::vector<std::size_t> chooseRecord(const std::vector<HistoryRun>& runs, std::
   const auto errorOf = [&](std::size_t i) { return *trustedValueOf(runs[i].figures, kMapError); };
   std::stable_sort(best.begin(), best.end(),
                    [&](std::size_t l, std::size_t r) { return errorOf(l) < errorOf(r); });
-  Choice choice(runs, isUsable);
-  choice.fill(elsewhere, (most + 2) / 3);
-  choice.fill(latest, (choice.count() + most) / 2);
-  choice.fill(best, most);
-  choice.fill(latest, most);
-  return choice.inOrder();
+  std::vector<std::size_t> chosen;
+  std::vector<bool> isAsked(runs.size());
+  const auto fill = [&](const std::vector<std::size_t>& candidates, std::size_t upTo) {
+    for (const std::size_t i : candidates) {
+      if (chosen.size() >= upTo) return;
+      if (!isAsked[i] && isUsable(runs[i])) chosen.push_back(i);
+      isAsked[i] = true;
+    }
+  };
+  fill(elsewhere, (most + 2) / 3);
+  fill(latest, (chosen.size() + most) / 2);
+  fill(best, most);
+  fill(latest, most);
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
 }
 
 }  // namespace roomgraph

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "roomgraph/base/containers.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/ledger/name_rooms.h"
 
 namespace roomgraph {
@@ -30,19 +32,24 @@ void unplaceAll(Database& database, std::int64_t site) {
 
 }  // namespace
 
+bool hasPlaced(Database& database, std::int64_t site, const Comparison& comparison) {
+  constexpr char kPlaced[] =
+      "SELECT count(*) FROM run WHERE site = ? AND sha256 = ? AND state = 'placed'";
+  return std::any_of(comparison.runs.begin(), comparison.runs.end(), [&](const ComparedRun& run) {
+    return database.number(kPlaced, site, run.sha256) > 0;
+  });
+}
+
 void nameKnownRooms(Comparison& comparison, SiteFile& ledger, const std::string& name) {
   auto [rooms, file] = nameRooms(comparison.rooms, ledger, name);
-  const auto isKnown = [&](const SiteRoom& room) {
-    return std::any_of(ledger.rooms.begin(), ledger.rooms.end(),
-                       [&](const SiteRoom& known) { return known.id == room.id; });
-  };
+  const auto known = mapped(ledger.rooms, &SiteRoom::id);
   std::set<std::string> dropped;
   for (const SiteRoom& room : rooms)
-    if (comparison.runs.size() > 2 && seenBy(room) < 2 && !isKnown(room)) dropped.insert(room.id);
+    if (comparison.runs.size() > 2 && seenBy(room) < 2 && !contains(known, room.id))
+      dropped.insert(room.id);
   const auto isDropped = [&](const auto& room) { return dropped.count(room.id) > 0; };
-  rooms.erase(std::remove_if(rooms.begin(), rooms.end(), isDropped), rooms.end());
-  file.rooms.erase(std::remove_if(file.rooms.begin(), file.rooms.end(), isDropped),
-                   file.rooms.end());
+  eraseIf(rooms, isDropped);
+  eraseIf(file.rooms, isDropped);
   comparison.rooms = std::move(rooms);
   ledger = std::move(file);
 }
@@ -51,12 +58,8 @@ void reformSite(Database& database, std::int64_t site, const Comparison& compari
   const auto& runs = comparison.runs;
   const auto placed =
       database.number("SELECT count(*) FROM run WHERE site = ? AND state = 'placed'", site);
-  if (placed == 0 || runs.size() < kLeastAgreeing || std::int64_t(runs.size()) <= placed) return;
-  if (std::any_of(runs.begin(), runs.end(), [&](const ComparedRun& run) {
-        return database.number(
-            "SELECT count(*) FROM run WHERE site = ? AND sha256 = ? AND state = 'placed'", site,
-            run.sha256);
-      }))
+  if (placed == 0 || runs.size() < kLeastAgreeing || std::int64_t(runs.size()) <= placed ||
+      hasPlaced(database, site, comparison))
     return;
   unplaceAll(database, site);
   for (const ComparedRun& run : runs)

@@ -20,6 +20,9 @@ namespace roomgraph {
  *  three. To be called within a transaction. O(runs of the site). */
 void reformSite(Database& database, std::int64_t site, const Comparison& comparison);
 
+/** Whether a run of the comparison is placed in the site. O(runs of the comparison). */
+bool hasPlaced(Database& database, std::int64_t site, const Comparison& comparison);
+
 /** Whether the rooms that a site knows have been seen by fewer runs than agree in a comparison, of
  *  which there must be three: rooms of a bad first night. O(sightings of the site). */
 bool areRoomsOutvoted(Database& database, std::int64_t site, const Comparison& comparison);

@@ -24,8 +24,7 @@ double varianceOf(const Samples& samples) {
 
 /** From 1 on; equal values have the mean of their ranks. */
 std::vector<double> ranksOf(const Samples& samples) {
-  std::vector<double> sorted, ranks;
-  for (const Sample& sample : samples) sorted.push_back(sample.value);
+  std::vector<double> sorted = mapped(samples, &Sample::value), ranks;
   std::sort(sorted.begin(), sorted.end());
   for (const Sample& sample : samples) {
     const auto [low, high] = std::equal_range(sorted.begin(), sorted.end(), sample.value);

@@ -11,6 +11,7 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/check/find_refuted.h"
 #include "roomgraph/relate/PairBend.h"
+#include "roomgraph/relate/Run.h"
 #include "roomgraph/relate/sight_walls.h"
 
 namespace roomgraph {
@@ -78,9 +79,7 @@ bool Comparison::areCopies() const {
 }
 
 bool Comparison::hasBoth(const ComparedPair& pair) const {
-  return std::count_if(runs.begin(), runs.end(), [&](const ComparedRun& run) {
-           return run.name == pair.a || run.name == pair.b;
-         }) == 2;
+  return findRun(runs, pair.a) && findRun(runs, pair.b);
 }
 
 std::size_t Comparison::countBreaks(const std::string& run) const {
@@ -114,9 +113,7 @@ std::string Comparison::faultOf(const ComparedRun& run) const {
 }
 
 bool Comparison::isPlaceDoubtful(const std::string& run) const {
-  if (std::any_of(runs.begin(), runs.end(), [&](const ComparedRun& other) {
-        return other.name == run && other.isPlaceBorneOut();
-      }))
+  if (const ComparedRun* found = findRun(runs, run); found && found->isPlaceBorneOut())
     return false;
   const auto isOfRun = [&](const ComparedPair& pair) {
     return pair.isSameSite && (pair.a == run || pair.b == run);

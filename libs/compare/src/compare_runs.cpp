@@ -39,10 +39,7 @@ void check(const std::vector<Run>& runs, const MapPairs& related,
 std::optional<std::size_t> placeOf(const std::optional<std::size_t>& run,
                                    const std::vector<Run>& before, const std::vector<Run>& after) {
   if (!run || *run >= before.size()) return run;
-  const auto found = std::find_if(after.begin(), after.end(), [&](const Run& other) {
-    return other.name == before[*run].name;
-  });
-  return std::size_t(found - after.begin());
+  return std::size_t(findRun(after, before[*run].name) - after.data());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "roomgraph/base/Json.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/sentence_text.h"
 
 namespace roomgraph {
@@ -66,8 +67,7 @@ bool isBetterThanAny(const ComparedRun& best, const Comparison& comparison) {
 /** The run that a run is a later copy of. */
 std::optional<std::string> originalOf(const std::string& run, const Comparison& comparison) {
   for (const std::vector<std::string>& names : comparison.copies())
-    if (names.front() != run && std::count(names.begin(), names.end(), run) > 0)
-      return names.front();
+    if (names.front() != run && contains(names, run)) return names.front();
   return {};
 }
 
@@ -182,7 +182,7 @@ std::string copiesNote(const Comparison& comparison) {
             names.front() + ".";
   }
   for (const std::vector<std::string>& names : edits)
-    if (std::find(copies.begin(), copies.end(), names) == copies.end())
+    if (!contains(copies, names))
       text += formatted(" %zu maps are edits of one (", names.size()) + listed(names) +
               "), and count as one drive.";
   return text;

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "roomgraph/base/Json.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/statistics.h"
@@ -33,10 +34,6 @@ std::string shareText(const char* verb, double share, double least, const char* 
   return formatted("%s %.0f %% %s, %s than %.0f %%", verb,
                    isEnough ? std::max(percent, limit) : std::min(percent, limit - 1), ofWhat,
                    isEnough ? "no less" : "less", limit);
-}
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 class Judge {

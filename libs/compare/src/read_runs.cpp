@@ -216,11 +216,9 @@ class Reader {
   bool hasReference() const { return !options_.reference.empty(); }
 
   std::size_t placeOfReference(const std::vector<Run>& runs) const {
-    const auto found = std::find_if(runs.begin(), runs.end(),
-                                    [&](const Run& run) { return run.name == files_.back().name; });
-    if (found == runs.end())
-      throw DataError(options_.reference + ": cannot be used as the reference: choose another one");
-    return std::size_t(found - runs.begin());
+    if (const Run* found = findRun(runs, files_.back().name))
+      return std::size_t(found - runs.data());
+    throw DataError(options_.reference + ": cannot be used as the reference: choose another one");
   }
 
   const CompareMapsOptions& options_;

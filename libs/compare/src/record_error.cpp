@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
@@ -21,10 +22,8 @@ std::optional<RecordError> recordError(const Comparison& comparison, const std::
   std::vector<double> errors;
   for (const ComparedRun& other : comparison.runs) {
     if (other.name == run || other.name == comparison.reference) continue;
-    const auto error = std::count(candidates.begin(), candidates.end(), other.name)
-                           ? std::nullopt
-                           : trustedError(other);
-    if (error) errors.push_back(*error);
+    if (contains(candidates, other.name)) continue;
+    if (const auto error = trustedError(other)) errors.push_back(*error);
   }
   if (errors.empty()) return {};
   std::sort(errors.begin(), errors.end());

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/utf8_text.h"
@@ -35,8 +36,7 @@ std::string firstFree(const std::string& name, std::set<std::string>& taken) {
 
 std::vector<std::string> runNames(const std::vector<std::string>& files) {
   std::vector<std::string> different = files;
-  std::sort(different.begin(), different.end());
-  different.erase(std::unique(different.begin(), different.end()), different.end());
+  sortUnique(different);
   // The shortest that tells all files apart: with their extensions, or with their folders.
   std::vector<std::vector<std::string>> choices(3);
   for (const std::string& file : different) {
@@ -64,7 +64,7 @@ std::vector<std::string> runNames(const std::vector<std::string>& files) {
 std::string nameOfRun(const std::string& given, const std::vector<std::string>& names,
                       const std::string& option) {
   for (const std::string& name : {given, utf8Text(mapStem(given))})
-    if (std::find(names.begin(), names.end(), name) != names.end()) return name;
+    if (contains(names, name)) return name;
   throw UsageError(option + ": there is no run " + given + ": name one of " + listed(names, 10));
 }
 

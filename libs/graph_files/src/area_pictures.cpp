@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "roomgraph/base/containers.h"
 #include "roomgraph/geometry/Polyline.h"
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/images/png_bytes.h"
@@ -37,8 +38,7 @@ std::string keepoutMaskPng(const AreaGraph& graph, const GridFrame& frame,
   for (std::size_t i = 0; i < graph.labels.size(); ++i) {
     if (graph.labels[i] == 0 || graph.labels[i] > graph.areas.size()) continue;
     const RoomId room = graph.areas[graph.labels[i] - 1].room;
-    if (room && std::count(keptOut.begin(), keptOut.end(), room) > 0)
-      mask.cells[i] = State::occupied;
+    if (room && contains(keptOut, room)) mask.cells[i] = State::occupied;
   }
   return mapPng(mask);
 }

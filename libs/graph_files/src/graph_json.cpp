@@ -109,12 +109,10 @@ std::string passageText(std::size_t id, const Passage& passage) {
 }
 
 std::string noteText(std::size_t, const Note& note) {
-  Json json{{"code", note.code}, {"text", note.text}, {"x", nullptr}, {"y", nullptr}};
-  if (note.where) {
-    json["x"] = rounded((*note.where)[0]);
-    json["y"] = rounded((*note.where)[1]);
-  }
-  return lineOf(json);
+  const auto at = [&](std::size_t axis) {
+    return note.where ? Json(rounded((*note.where)[axis])) : Json();
+  };
+  return lineOf({{"code", note.code}, {"text", note.text}, {"x", at(0)}, {"y", at(1)}});
 }
 
 /** The JSON of each thing of a list, by its place and the thing. */

@@ -21,9 +21,7 @@ std::pair<std::size_t, double> farthest(const Polyline& line, std::size_t from, 
 std::vector<std::size_t> straightPieces(const Path& path, const ObstacleRows& obstacles,
                                         double clearance) {
   const Polyline& line = path.points;
-  if (line.size() < 3)
-    return line.size() == 2 ? std::vector<std::size_t>{0, 1}
-                            : std::vector<std::size_t>(line.size());
+  if (line.empty()) return {};
   const double tolerance = std::min(0.1, path.minClearance / 2);
   std::vector<bool> isKept(line.size());
   isKept.front() = isKept.back() = true;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "roomgraph/base/containers.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/breaks/frames_at_break.h"
 #include "roomgraph/drawing/run_marks.h"
@@ -39,12 +41,10 @@ Json scansJson(const Comparison& comparison, const MapBreak& tear, const std::ve
 
 /** The maps of the compared runs; without a map where there is none. */
 std::vector<PlacedMap> placedMaps(const Comparison& comparison, const std::vector<Run>& runs) {
-  std::vector<PlacedMap> placed;
-  for (const ComparedRun& compared : comparison.runs) {
+  return mapped(comparison.runs, [&](const ComparedRun& compared) {
     const Run* run = findRun(runs, compared.name);
-    placed.push_back({run ? &run->map : nullptr, compared.pose});
-  }
-  return placed;
+    return PlacedMap{run ? &run->map : nullptr, compared.pose};
+  });
 }
 
 /** Two cells of the coarsest map, so that turned maps leave no gaps. */
@@ -110,9 +110,7 @@ std::string pageData(const Comparison& comparison, const std::vector<Run>& runs)
   const double turn = uprightTurn(comparison, runs);
   for (PlacedMap& map : placed) map.pose = Transform2D{0, 0, turn} * map.pose;
   std::vector<PlacedMap> known = placed;
-  known.erase(std::remove_if(known.begin(), known.end(),
-                             [](const PlacedMap& map) { return map.map == nullptr; }),
-              known.end());
+  eraseIf(known, [](const PlacedMap& map) { return !map.map; });
   const Box site = known.empty() ? boxOfRooms(comparison) : knownBox(known);
   const double pixel = pixelFor(site, known, placed.size() > 20 ? 1200 : 2500);
   // Of free space, so that what all runs share is not too dark.
@@ -130,15 +128,13 @@ std::string pageData(const Comparison& comparison, const std::vector<Run>& runs)
                         {"added", added ? pointJson(*added->place) : Json()}});
   }
   const SitePicture heat = heatPicture(disagreementOf(known, heatCellOf(site, known)));
-  Json breaks = Json::array();
-  for (const MapBreak& tear : comparison.breaks)
-    breaks.push_back(scansJson(comparison, tear, runs));
+  const auto scansAt = [&](const MapBreak& tear) { return scansJson(comparison, tear, runs); };
   const Json data = {{"turn", turn},
                      {"box", boxJson(site)},
                      {"hasMaps", !known.empty()},
                      {"heat", pictureJson(heat)},
                      {"runs", std::move(runsJson)},
-                     {"breaks", std::move(breaks)}};
+                     {"breaks", mapped(comparison.breaks, scansAt)}};
   return safeInScript(data.dump());
 }
 

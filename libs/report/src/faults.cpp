@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/breaks/frames_at_break.h"
@@ -36,8 +38,10 @@ KeyFrameRange framesOf(const DrawnStretch& stretch, const std::vector<CheckedPos
           path[std::min(path.size() - 1, scan + kFramesAtBreak)].keyFrame};
 }
 
-Fault faultOf(const DrawnStretch& one, const DrawnStretch& other, const RunCheck& check) {
+Fault faultOf(FaultKind kind, const DrawnStretch& one, const DrawnStretch& other,
+              const RunCheck& check) {
   Fault fault;
+  fault.kind = kind;
   fault.run = check.name, fault.place = one.place, fault.keyFrame = other.keyFrame;
   fault.earlier = framesOf(one, check.path), fault.later = framesOf(other, check.path);
   return fault;
@@ -60,22 +64,18 @@ std::vector<Fault> faultsOf(const Comparison& comparison) {
 
 std::vector<Fault> faultsOf(const RunCheck& check) {
   std::vector<Fault> faults;
-  for (std::size_t i = 0; i < check.breaks.size(); ++i) {
-    faults.push_back(faultAt(check.breaks[i], check.path));
-    faults.back().number = i + 1, faults.back().text = selfBreakText(check.breaks[i]);
+  std::map<FaultKind, std::size_t> numbers;
+  const auto add = [&](Fault fault, const std::string& text) {
+    fault.number = ++numbers[fault.kind], fault.text = text;
+    faults.push_back(std::move(fault));
+  };
+  for (const MapBreak& tear : check.breaks) add(faultAt(tear, check.path), selfBreakText(tear));
+  for (const DoubledPlace& place : check.doubled) {
+    add(faultOf(FaultKind::doubled, place.one, place.other, check), doubledText(place));
+    faults.back().mend = place.mend;
   }
-  for (std::size_t i = 0; i < check.doubled.size(); ++i) {
-    const DoubledPlace& place = check.doubled[i];
-    faults.push_back(faultOf(place.one, place.other, check));
-    faults.back().kind = FaultKind::doubled, faults.back().mend = place.mend;
-    faults.back().number = i + 1, faults.back().text = doubledText(place);
-  }
-  for (std::size_t i = 0; i < check.welded.size(); ++i) {
-    const WeldedPlace& place = check.welded[i];
-    faults.push_back(faultOf(place.one, place.other, check));
-    faults.back().kind = FaultKind::welded;
-    faults.back().number = i + 1, faults.back().text = weldedText(place);
-  }
+  for (const WeldedPlace& place : check.welded)
+    add(faultOf(FaultKind::welded, place.one, place.other, check), weldedText(place));
   return faults;
 }
 

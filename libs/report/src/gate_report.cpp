@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/algorithm/string/join.hpp>
 
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/utf8_text.h"
@@ -25,8 +26,7 @@ struct TestCase {
 std::vector<TestCase> testCases(const Comparison& comparison) {
   const GateVerdict gate = comparison.gate.value_or(GateVerdict{});
   const auto isJudged = [&](const std::string& name) {
-    const auto& names = gate.candidates;
-    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+    return gate.candidates.empty() || contains(gate.candidates, name);
   };
   std::vector<TestCase> runs;
   for (const ComparedRun& run : comparison.runs)

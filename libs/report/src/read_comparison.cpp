@@ -64,19 +64,15 @@ std::pair<std::size_t, std::size_t> keyFrames(const JsonNode& node) {
 
 std::optional<RunScore> score(const JsonNode& node) {
   if (node["score"].json.is_null()) return std::nullopt;
+  const auto number = [&](const char* name) { return node[name].number(); };
   RunScore score;
-  score.score = node["score"].number();
-  score.low = node["score_low"].number(), score.high = node["score_high"].number();
-  score.mapError = node["map_error_m"].number();
-  score.errorLow = node["map_error_low"].number();
-  score.errorHigh = node["map_error_high"].number();
-  score.share = node["shared_walls"].number();
-  score.support = node["compared_walls"].number(), score.others = count(node["others"]);
-  score.trust = node["trust"].number();
-  score.confirmed = node["confirmed"].number();
-  score.contradicted = node["contradicted"].number();
-  score.jitter = node["jitter_m"].number(), score.scale = node["scale"].number();
-  score.isScaleDisputed = isTrue(node["scale_disputed"]);
+  score.score = number("score"), score.low = number("score_low"), score.high = number("score_high");
+  score.mapError = number("map_error_m"), score.errorLow = number("map_error_low");
+  score.errorHigh = number("map_error_high"), score.share = number("shared_walls");
+  score.support = number("compared_walls"), score.others = count(node["others"]);
+  score.trust = number("trust"), score.confirmed = number("confirmed");
+  score.contradicted = number("contradicted"), score.jitter = number("jitter_m");
+  score.scale = number("scale"), score.isScaleDisputed = isTrue(node["scale_disputed"]);
   score.isMeaningful = isTrue(node["meaningful"]);
   return score;
 }
