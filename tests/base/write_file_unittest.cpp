@@ -48,13 +48,13 @@ TEST(WriteFile, keepsThePermissionsOfTheFileThatItReplaces) {
 }
 
 /** The message, which must be one line that starts with the file's name. */
-std::string refusal(const std::string& path) {
+std::string refusedWrite(const std::string& path) {
   return test::refusalOf([&] { writeFileAtomically(path, "text"); });
 }
 
 TEST(WriteFile, aFolderThatIsNotThereIsAnErrorOfOneLine) {
   const TestFolder folder;
-  const std::string message = refusal(folder / "missing/file");
+  const std::string message = refusedWrite(folder / "missing/file");
   EXPECT_EQ(message.find(folder / "missing/file: cannot be written"), 0u) << message;
   EXPECT_EQ(message.find('\n'), std::string::npos);
   EXPECT_TRUE(folder.names().empty());
@@ -63,16 +63,16 @@ TEST(WriteFile, aFolderThatIsNotThereIsAnErrorOfOneLine) {
 TEST(WriteFile, doesNotReplaceAFolderOrADevice) {
   const TestFolder folder;
   std::filesystem::create_directory(folder / "sub");
-  EXPECT_NE(refusal(folder / "sub").find("not a regular file"), std::string::npos);
+  EXPECT_NE(refusedWrite(folder / "sub").find("not a regular file"), std::string::npos);
   EXPECT_EQ(folder.names(), Names{"sub"});
-  EXPECT_NE(refusal("/dev/null").find("not a regular file"), std::string::npos);
+  EXPECT_NE(refusedWrite("/dev/null").find("not a regular file"), std::string::npos);
 }
 
 TEST(WriteFile, leavesNothingBehindWhereTheRenamingFails) {
   const TestFolder folder;
   // The name is as long as may be, so that of the part file is too long.
   const std::string name(255, 'n');
-  EXPECT_NE(refusal(folder / name), "");
+  EXPECT_NE(refusedWrite(folder / name), "");
   EXPECT_TRUE(folder.names().empty());
 }
 

@@ -7,14 +7,10 @@
 #include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/refine_alignment.h"
+#include "roomgraph/base/orders.h"
 
 namespace roomgraph {
 namespace {
-
-void sortByScore(std::vector<AlignmentCandidate>& candidates) {
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const auto& l, const auto& r) { return l.score > r.score; });
-}
 
 AlignmentCandidate candidateNear(const WallMap& a, const WallMap& b, const Transform2D& near,
                                  const Look& look) {
@@ -29,16 +25,13 @@ AlignmentCandidate candidateNear(const WallMap& a, const WallMap& b, const Trans
 std::vector<AlignmentCandidate> lookedAt(const WallMap& a, const WallMap& b,
                                          const std::vector<AlignmentCandidate>& candidates,
                                          int count, const Look& look) {
-  const Point middle = b.middle();
-  std::vector<Transform2D> seen;
+  const auto areSame = [middle = b.middle()](const auto& l, const auto& r) {
+    return areNear(l.pose, r.pose, middle, kSameStart);
+  };
   std::vector<AlignmentCandidate> found;
-  for (const AlignmentCandidate& c : candidates) {
-    if (int(seen.size()) == count) break;
-    if (isNearAny(seen, c.pose, middle, kSameStart)) continue;
-    seen.push_back(c.pose);
+  for (const AlignmentCandidate& c : distinctBest(candidates, std::size_t(count), areSame))
     found.push_back(candidateNear(a, b, c.pose, look));
-  }
-  sortByScore(found);
+  sortDownBy(found, &AlignmentCandidate::score);
   return found;
 }
 
@@ -107,7 +100,7 @@ std::vector<AlignmentCandidate> alignmentCandidates(const WallMap& a, const Wall
   std::vector<AlignmentCandidate> found;
   for (const AlignmentHypothesis& h : alignmentHypotheses(a, b, effort))
     found.push_back(candidateNear(a, b, h.pose, kGlance));
-  sortByScore(found);
+  sortDownBy(found, &AlignmentCandidate::score);
   found = lookedAt(a, b, found, effort.closer, kSecondLook);
   return lookedAt(a, b, found, effort.close, kCloseLook);
 }
@@ -121,7 +114,7 @@ Alignment alignMapsNear(const WallMap& a, const WallMap& b, const std::vector<Tr
   std::vector<AlignmentCandidate> found;
   if (!a.walls.empty() && !b.walls.empty())
     for (const Transform2D& pose : poses) found.push_back(candidateNear(a, b, pose, kCloseLook));
-  sortByScore(found);
+  sortDownBy(found, &AlignmentCandidate::score);
   return alignmentOf(a, b, found);
 }
 

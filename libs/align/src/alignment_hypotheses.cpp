@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "roomgraph/align/near_poses.h"
 #include "search_images.h"
 
 namespace roomgraph {
@@ -168,20 +169,16 @@ std::vector<AlignmentHypothesis> distinct(std::vector<Peak> peaks,
                                           const std::vector<double>& angles, double cell,
                                           Point pivotA, Point pivotB, int count) {
   std::sort(peaks.begin(), peaks.end());
-  std::vector<Peak> kept;
+  const auto angleOf = [&](const Peak& peak) { return angles[std::size_t(peak.angle)]; };
+  const auto areSame = [&](const Peak& l, const Peak& r) {
+    return std::abs(l.shift.x - r.shift.x) <= kSameShift &&
+           std::abs(l.shift.y - r.shift.y) <= kSameShift &&
+           std::abs(wrappedAngle(angleOf(l) - angleOf(r))) < kSameAngle;
+  };
   std::vector<AlignmentHypothesis> found;
-  for (const Peak& peak : peaks) {
-    const double angle = angles[std::size_t(peak.angle)];
-    const bool isNew = std::none_of(kept.begin(), kept.end(), [&](const Peak& k) {
-      return std::abs(k.shift.x - peak.shift.x) <= kSameShift &&
-             std::abs(k.shift.y - peak.shift.y) <= kSameShift &&
-             std::abs(wrappedAngle(angles[std::size_t(k.angle)] - angle)) < kSameAngle;
-    });
-    if (!isNew) continue;
-    kept.push_back(peak);
+  for (const Peak& peak : distinctBest(peaks, std::size_t(count), areSame)) {
     const Point shift{peak.shift.x * cell, peak.shift.y * cell};
-    found.push_back({carrying(pivotB, pivotA + shift, angle), peak.score});
-    if (int(found.size()) == count) break;
+    found.push_back({carrying(pivotB, pivotA + shift, angleOf(peak)), peak.score});
   }
   return found;
 }

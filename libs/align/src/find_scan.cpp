@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "roomgraph/align/WallFit.h"
+#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/orders.h"
 
 namespace roomgraph {
 namespace {
@@ -80,17 +82,11 @@ std::vector<ScanFit> findScan(const LocalScan& scan, const WallMap& in, const Tr
   std::vector<Transform2D> starts;
   for (std::size_t i = 0; i < wanted && starts.size() < kTries; ++i)
     if (!isNearAny(starts, tries[i].second, {}, kSameScanStart)) starts.push_back(tries[i].second);
-  std::vector<ScanFit> fits;
-  for (const Transform2D& start : starts) fits.push_back(fitNear(scan, in, start));
-  std::stable_sort(fits.begin(), fits.end(),
-                   [](const ScanFit& l, const ScanFit& r) { return l.quality > r.quality; });
-  std::vector<ScanFit> best;
-  for (const ScanFit& fit : fits)
-    if (best.size() < count && std::none_of(best.begin(), best.end(), [&](const ScanFit& known) {
-          return areNear(known.pose, fit.pose, {}, kSameScanAnswer);
-        }))
-      best.push_back(fit);
-  return best;
+  auto fits = mapped(starts, [&](const Transform2D& start) { return fitNear(scan, in, start); });
+  sortDownBy(fits, &ScanFit::quality);
+  return distinctBest(fits, count, [](const ScanFit& l, const ScanFit& r) {
+    return areNear(l.pose, r.pose, {}, kSameScanAnswer);
+  });
 }
 
 }  // namespace roomgraph

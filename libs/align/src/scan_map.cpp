@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "roomgraph/align/find_scan.h"
 #include "roomgraph/align/wall_map.h"
+#include "roomgraph/base/orders.h"
 #include "roomgraph/geometry/Polygon.h"
 
 namespace roomgraph {
@@ -97,9 +97,7 @@ WallMap scanMap(const std::vector<LocalScan>& scans, const std::vector<Transform
 WallMap stretchMap(const std::vector<ScanWalls>& scans, std::size_t first, std::size_t end) {
   const std::vector<ScanWalls> some(scans.begin() + std::ptrdiff_t(first),
                                     scans.begin() + std::ptrdiff_t(end));
-  std::vector<std::size_t> all(some.size());
-  std::iota(all.begin(), all.end(), std::size_t(0));
-  WallMap map = scanMap(localScans(some), drawnPoses(some), all, HUGE_VAL);
+  WallMap map = scanMap(localScans(some), drawnPoses(some), numbersFrom(0, some.size()), HUGE_VAL);
   if (map.walls.empty()) return map;
   addSearchData(map, map.walls);
   addLookUp(map);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/orders.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
@@ -65,8 +67,7 @@ class BreakFinder {
             sizeOf(between(from - kFewSteps, to)) >= size / 2)
           all.emplace_back(size / std::sqrt(double(to - from)), at);
       }
-    std::stable_sort(all.begin(), all.end(),
-                     [](const auto& l, const auto& r) { return l.first > r.first; });
+    sortDownBy(all, [](const auto& one) { return one.first; });
     std::vector<ScanBreak> kept;
     for (const auto& [sharpness, at] : all) addUnlessKnown(at, kept);
     return kept;
@@ -97,9 +98,7 @@ class BreakFinder {
   }
 
   double usual(double (*size)(const ScanBreak&)) const {
-    std::vector<double> sizes;
-    for (const ScanBreak& step : steps_) sizes.push_back(size(step));
-    return quantile(std::move(sizes), 0.95);
+    return quantile(mapped(steps_, size), 0.95);
   }
 
   bool isQuietAround(std::size_t i, double (*size)(const ScanBreak&)) const {

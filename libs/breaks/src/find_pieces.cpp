@@ -5,6 +5,9 @@
 #include <utility>
 
 #include "roomgraph/base/UnionFind.h"
+#include "roomgraph/base/containers.h"
+#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/orders.h"
 #include "roomgraph/breaks/MapBreak.h"
 #include "roomgraph/geometry/MotionFit.h"
 #include "roomgraph/geometry/NearPlaces.h"
@@ -102,7 +105,7 @@ class PieceFinder {
     Pieces pieces;
     for (const FollowedPatch& f : followed_.patches)
       pieces.members.push_back(f.layer == kTornLayer ? 1 : f.layer == 0 ? 0 : -1);
-    if (std::count(pieces.members.begin(), pieces.members.end(), 1) == 0) return std::nullopt;
+    if (!contains(pieces.members, 1)) return std::nullopt;
     fit(pieces), measure(pieces);
     return breakOf(pieces);
   }
@@ -184,8 +187,7 @@ class PieceFinder {
     std::vector<std::size_t> of;
     for (std::size_t i = 0; i < pieces.members.size(); ++i)
       if (pieces.members[i] == int(piece)) of.push_back(followed_.patches[i].patch);
-    std::sort(of.begin(), of.end());
-    of.erase(std::unique(of.begin(), of.end()), of.end());
+    sortUnique(of);
     return of;
   }
 
@@ -206,8 +208,8 @@ std::vector<std::vector<std::size_t>> rigidPieces(const WallPatches& patches,
            areNear(f.pose, g.pose, midpoint(a, b), kSameScanAnswer);
   };
   UnionFind sets(found.size());
-  std::vector<Point> middles;
-  for (const FollowedPatch& f : found) middles.push_back(patches[f.patch].middle);
+  const auto middles =
+      mapped(found, [&](const FollowedPatch& f) { return patches[f.patch].middle; });
   const NearPlaces near(middles, kPieceReach);
   double all = 0;
   for (std::uint32_t i = 0; i < found.size(); ++i) {
@@ -222,13 +224,9 @@ std::vector<std::vector<std::size_t>> rigidPieces(const WallPatches& patches,
   const auto wallsOf = [&](const std::vector<std::size_t>& piece) {
     return piece.empty() ? 0 : walls[piece.front()];  // a set is known by its first member
   };
-  pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
-                              [&](const auto& piece) {
-                                return piece.empty() || wallsOf(piece) < kLeastPiece * all;
-                              }),
-               pieces.end());
-  std::stable_sort(pieces.begin(), pieces.end(),
-                   [&](const auto& l, const auto& r) { return wallsOf(l) > wallsOf(r); });
+  eraseIf(pieces,
+          [&](const auto& piece) { return piece.empty() || wallsOf(piece) < kLeastPiece * all; });
+  sortDownBy(pieces, wallsOf);
   return pieces;
 }
 

@@ -6,6 +6,8 @@
 #include "roomgraph/align/LocalScan.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/orders.h"
 #include "roomgraph/breaks/find_breaks.h"
 #include "roomgraph/breaks/find_pieces.h"
 #include "roomgraph/consensus/StepWitness.h"
@@ -37,8 +39,7 @@ class BreakSearch {
     std::vector<std::size_t> others;
     for (std::size_t j = 0; j < site_.runs.size(); ++j)
       if (j != run_ && followedIn(pairs_, run_, j).share >= kWitnessShare) others.push_back(j);
-    std::stable_sort(others.begin(), others.end(),
-                     [&](std::size_t l, std::size_t r) { return trust[l] > trust[r]; });
+    sortDownBy(others, [&](std::size_t j) { return trust[j]; });
     if (others.size() > kWitnesses) others.resize(kWitnesses);
     return others;
   }
@@ -109,11 +110,9 @@ class BreakSearch {
   }
 
   std::vector<std::optional<PieceBreak>> toldByWitnesses() const {
-    std::vector<std::optional<PieceBreak>> told;
-    for (const std::size_t j : witnesses_)
-      told.push_back(
-          findPieces(site_.runs[run_]->map.patches, followedIn(pairs_, run_, j), options_));
-    return told;
+    return mapped(witnesses_, [&](std::size_t j) {
+      return findPieces(site_.runs[run_]->map.patches, followedIn(pairs_, run_, j), options_);
+    });
   }
 
   /** The votes of the witnesses that tell of the same break. */

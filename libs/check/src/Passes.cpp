@@ -1,8 +1,9 @@
 #include "Passes.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
+
+#include "roomgraph/base/orders.h"
 
 namespace roomgraph {
 namespace {
@@ -21,11 +22,7 @@ Passes::Passes(const std::vector<LocalScan>& scans, const std::vector<Transform2
     path_[k] = path_[k - 1] + distance(poses[k - 1].shift(), poses[k].shift());
   cut();
   for (std::size_t k = 0; k < poses.size(); ++k) chooseFor(k);
-  for (Pass& pass : passes_) {
-    std::vector<std::size_t> chosen(pass.end - pass.first);
-    std::iota(chosen.begin(), chosen.end(), pass.first);
-    pass.map = scanMap(scans, poses, chosen);
-  }
+  for (Pass& pass : passes_) pass.map = scanMap(scans, poses, numbersFrom(pass.first, pass.end));
 }
 
 void Passes::cut() {

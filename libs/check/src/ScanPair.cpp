@@ -2,6 +2,7 @@
 
 #include "Passes.h"
 #include "roomgraph/base/UnionFind.h"
+#include "roomgraph/base/mapped.h"
 
 namespace roomgraph {
 
@@ -14,11 +15,9 @@ std::vector<std::vector<ScanPair>> PathOfRun::grouped(const std::vector<ScanPair
   for (std::uint32_t i = 0; i < pairs.size(); ++i)
     for (std::uint32_t j = 0; j < i; ++j)
       if (areBeside(pairs[i], pairs[j])) joined.join(i, j);
-  std::vector<std::vector<ScanPair>> groups(pairs.size());
-  for (std::uint32_t i = 0; i < pairs.size(); ++i) groups[joined.find(i)].push_back(pairs[i]);
-  groups.erase(std::remove_if(groups.begin(), groups.end(),
-                              [](const std::vector<ScanPair>& group) { return group.empty(); }),
-               groups.end());
+  std::vector<std::vector<ScanPair>> groups;
+  for (const std::vector<std::size_t>& set : joined.sets())
+    if (!set.empty()) groups.push_back(mapped(set, [&](std::size_t i) { return pairs[i]; }));
   return groups;
 }
 

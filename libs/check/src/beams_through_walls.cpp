@@ -7,6 +7,7 @@
 #include "Passes.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/base/orders.h"
 
 namespace roomgraph {
 namespace {
@@ -93,8 +94,7 @@ std::vector<WeldedPlace> findWelded(const Run& run, const BeamsThroughWalls& dra
                                     const BeamsThroughWalls& agreed) {
   const PathOfRun path(run.scans);
   std::vector<std::vector<ScanPair>> groups = path.grouped(drawn.overlaid);
-  std::stable_sort(groups.begin(), groups.end(),
-                   [](const auto& l, const auto& r) { return l.size() > r.size(); });
+  sortDownBy(groups, [](const auto& group) { return group.size(); });
   std::vector<WeldedPlace> welded;
   for (const std::vector<ScanPair>& group : groups)
     if (areEnough(group) && areEnough(pairsBeside(group, agreed.overlaid, path)))

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "find_doubled.h"
+#include "roomgraph/base/orders.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/check/beams_through_walls.h"
 #include "roomgraph/consensus/StepWitness.h"
@@ -69,8 +70,7 @@ void addFaults(const Run& run, const std::vector<LocalScan>& scans, const Mended
     if (mended.evidence[k] != StepEvidence::agrees || !witness.refutes(k, stepTo(k, agreed.poses)))
       check.breaks.push_back(step);
   }
-  std::stable_sort(check.breaks.begin(), check.breaks.end(),
-                   [](const MapBreak& l, const MapBreak& r) { return l.size() > r.size(); });
+  sortDownBy(check.breaks, &MapBreak::size);
   const std::vector<std::size_t> lost = lostSteps(mended.evidence, broken);
   for (const std::size_t k : lost) check.breaks.push_back(lostAt(k, run));
   broken.insert(broken.end(), lost.begin(), lost.end());

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "roomgraph/align/LocalScan.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/base/orders.h"
 #include "roomgraph/check/ScanPair.h"
 
 namespace roomgraph {
@@ -15,8 +17,7 @@ std::vector<Transform2D> withoutBreaks(const std::vector<Transform2D>& drawn,
                                        const std::vector<std::size_t>& broken) {
   std::vector<Transform2D> poses = drawn;
   for (std::size_t k = 1; k < poses.size(); ++k) {
-    const bool isBroken = std::find(broken.begin(), broken.end(), k) != broken.end();
-    const std::vector<Transform2D>& as = isBroken ? agreed : drawn;
+    const std::vector<Transform2D>& as = contains(broken, k) ? agreed : drawn;
     poses[k] = poses[k - 1] * (as[k - 1].inverse() * as[k]);
   }
   return poses;
@@ -44,9 +45,7 @@ class DoubledPlaces {
     std::vector<DoubledPlace> places;
     for (const std::vector<ScanPair>& group : path_.grouped(told_))
       if (isBorneOutAsAWhole(group)) places.push_back(placeOf(group));
-    std::stable_sort(
-        places.begin(), places.end(),
-        [](const DoubledPlace& l, const DoubledPlace& r) { return l.apart > r.apart; });
+    sortDownBy(places, &DoubledPlace::apart);
     return places;
   }
 

@@ -1,10 +1,10 @@
 #include "roomgraph/check/find_revisits.h"
 
-#include <algorithm>
 #include <optional>
 
 #include "Passes.h"
 #include "roomgraph/align/wall_share.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/majority.h"
 
 namespace roomgraph {
@@ -34,17 +34,14 @@ class Finder {
         groups.back().push_back(edgeTo(k, *found, pass));
       }
     }
-    groups.erase(std::remove_if(groups.begin(), groups.end(),
-                                [](const Revisit& group) { return group.size() < 2; }),
-                 groups.end());
+    eraseIf(groups, [](const Revisit& group) { return group.size() < 2; });
     return groups;
   }
 
  private:
   bool isWanted(std::size_t k, const Pass& pass) const {
     const auto s = std::size_t(&pass - passes_.all().data());
-    const auto& beside = passes_.besideScan(k);
-    return std::find(beside.begin(), beside.end(), s) != beside.end();
+    return contains(passes_.besideScan(k), s);
   }
 
   static bool isGood(const ScanFit& fit) {

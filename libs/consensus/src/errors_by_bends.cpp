@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/consensus/estimate_map_errors.h"
 #include "roomgraph/relate/place_runs.h"
 
@@ -20,8 +21,7 @@ std::vector<std::optional<MapError>> errorsAmong(const std::vector<std::size_t>&
   const auto has = [&](std::size_t run) {
     return std::binary_search(some.begin(), some.end(), run);
   };
-  std::vector<std::optional<double>> told;
-  for (const std::size_t run : some) told.push_back(site.runs[run]->map.axisDeviation);
+  const auto told = mapped(some, [&](std::size_t i) { return site.runs[i]->map.axisDeviation; });
   std::vector<PairOfThings> pairs;
   for (const auto& [i, j] : bends.pairs())
     if (has(i) && has(j)) pairs.emplace_back(placeOf(i), placeOf(j));

@@ -10,6 +10,7 @@
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/wall_share.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/base/orders.h"
 #include "roomgraph/relate/PairBend.h"
 
 namespace roomgraph {
@@ -88,8 +89,7 @@ std::optional<WallPoint> sameWall(const WallPoint& wall, const Walls& onto) {
 
 /** The motion that lays a scan onto another; none where they hardly show the same. */
 Correction laidOnto(Walls onto, const Walls& scan, Point robot) {
-  std::stable_sort(onto.begin(), onto.end(),
-                   [](const WallPoint& l, const WallPoint& r) { return l.place.x < r.place.x; });
+  sortBy(onto, [](const WallPoint& wall) { return wall.place.x; });
   const auto moved = [&](const WallPoint& wall, const Motion2D& by) {
     return WallPoint{by(wall.place), by.turned(wall.normal)};
   };
@@ -145,8 +145,7 @@ void tellScales(Consensus& consensus) {
   }
   if (!consensus.graph.reference && scales.size() <= kFewestOthers) return;
   for (const DrawnScale& one : scales) consensus.errors[one.run].scale = one.scale;
-  std::stable_sort(scales.begin(), scales.end(),
-                   [](const DrawnScale& l, const DrawnScale& r) { return l.scale < r.scale; });
+  sortBy(scales, &DrawnScale::scale);
   if (consensus.graph.reference) return;
   const auto split = splitOf(scales);
   if (!split) return;

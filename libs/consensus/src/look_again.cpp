@@ -8,6 +8,7 @@
 #include "roomgraph/align/scan_map.h"
 #include "roomgraph/align/step_hold.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/base/mapped.h"
 
 namespace roomgraph {
 namespace {
@@ -26,8 +27,7 @@ bool partNear(const std::vector<ScanWalls>& scans, std::size_t k) {
 std::vector<Transform2D> lookAgain(const std::vector<ScanWalls>& scans,
                                    const std::vector<std::optional<Transform2D>>& track,
                                    const WallMap& in) {
-  std::vector<bool> isFound;
-  for (const auto& pose : track) isFound.push_back(pose.has_value());
+  const auto isFound = mapped(track, [](const auto& pose) { return pose.has_value(); });
   std::vector<Transform2D> poses;
   for (const ScanStretch& gap : gapsOf(isFound)) {
     if (gap.size() == scans.size() || !isLong(gap, scans)) continue;

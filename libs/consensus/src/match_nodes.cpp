@@ -1,6 +1,5 @@
 #include "roomgraph/consensus/match_nodes.h"
 
-#include <algorithm>
 #include <map>
 #include <optional>
 #include <unordered_map>
@@ -12,6 +11,7 @@
 #include "roomgraph/align/find_scan.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/consensus/track_scans.h"
 
 namespace roomgraph {
@@ -106,9 +106,7 @@ Track trackIn(const Run& run, const WallMap& map, const FollowedWalls& followed,
 
 /** What was found, between two runs. */
 std::vector<FoundGroup> between(RunId from, RunId to, std::vector<FoundGroup> groups) {
-  groups.erase(std::remove_if(groups.begin(), groups.end(),
-                              [](const FoundGroup& group) { return group.matches.empty(); }),
-               groups.end());
+  eraseIf(groups, [](const FoundGroup& group) { return group.matches.empty(); });
   for (FoundGroup& found : groups) found.group.from = from, found.group.to = to;
   return groups;
 }
@@ -184,8 +182,7 @@ FoundGroup sameScans(const PoseGraph& graph, RunId a, const Run& runA, RunId b, 
 DrawnBy drawnBy(const Run& run, IdRange<NodeId> nodes, const WallMap& map) {
   Drawn drawn =
       run.scans.empty() ? drawnInPatches(map.patches, nodes) : drawnInScans(run.scans, nodes, map);
-  std::sort(drawn.begin(), drawn.end());
-  drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
+  sortUnique(drawn);
   DrawnBy result;
   for (std::size_t next = 0, wall = 0; wall <= map.walls.size(); ++wall) {
     while (next < drawn.size() && drawn[next].first < wall) ++next;

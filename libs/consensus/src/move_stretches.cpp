@@ -4,7 +4,9 @@
 #include <optional>
 
 #include "edge_cost.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/base/orders.h"
 #include "roomgraph/consensus/belief.h"
 
 namespace roomgraph {
@@ -113,9 +115,7 @@ class Mover {
       addCuts({group.to, graph_.edges[group.edges.front()].to, graph_.edges[group.edges.back()].to},
               all);
     }
-    std::stable_sort(all.begin(), all.end(), [](const Stretch& l, const Stretch& r) {
-      return l.nodes().size() < r.nodes().size();
-    });
+    sortBy(all, [](const Stretch& stretch) { return stretch.nodes().size(); });
     return all;
   }
 
@@ -146,7 +146,7 @@ class Mover {
   }
 
   static void addOnce(const Stretch& stretch, std::vector<Stretch>& all) {
-    if (std::find(all.begin(), all.end(), stretch) == all.end()) all.push_back(stretch);
+    if (!contains(all, stretch)) all.push_back(stretch);
   }
 
   /** The edges that hold a stretch: those that lead out of it. */

@@ -5,6 +5,7 @@
 #include "fitted_consensus.h"
 #include "roomgraph/align/LocalScan.h"
 #include "roomgraph/align/step_hold.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/consensus/StepWitness.h"
 #include "roomgraph/consensus/belief.h"
 #include "roomgraph/consensus/mend_steps.h"
@@ -71,8 +72,7 @@ class HeldLinks {
       for (std::size_t k = i > 0 ? tears[i - 1] + 1 : 1; k < end; ++k)
         if (refutes(k, motion, RefutedBy::walls)) held.push_back(linkTo(k));
     }
-    std::sort(held.begin(), held.end());
-    held.erase(std::unique(held.begin(), held.end()), held.end());
+    sortUnique(held);
     return held;
   }
 
@@ -120,7 +120,7 @@ std::vector<bool> stepsToUnconfirmed(const IdRange<NodeId>& nodes,
 
 std::vector<FoundGroup> ownMatches(const PoseGraph& graph, RunId id, const Run& run,
                                    const std::vector<bool>& asked) {
-  if (std::find(asked.begin(), asked.end(), true) == asked.end()) return {};
+  if (!contains(asked, true)) return {};
   const MendedSteps mended = mendSteps(localScans(run.scans), drawnPoses(run.scans), asked);
   std::vector<FoundGroup> groups;
   for (std::size_t k = 1; k < asked.size(); ++k)
@@ -132,19 +132,12 @@ std::vector<FoundGroup> ownMatches(const PoseGraph& graph, RunId id, const Run& 
 std::vector<PoseEdgeId> heldSteps(const Site& site, const Consensus& consensus,
                                   const ForEach& forEach) {
   const PoseGraph& graph = consensus.graph;
-  ById<RunId, std::vector<PoseEdgeId>> found(graph.runs.size());
-  forEach(found.size(), [&](std::size_t index) {
-    const RunId run(index);
-    if (!graph.runs[run].hasScans || run == graph.reference) return;
+  return gathered<PoseEdgeId>(graph, forEach, [&](RunId run) -> std::vector<PoseEdgeId> {
     const std::vector<std::size_t> tears = tearsOf(graph.runs[run], consensus);
-    if (tears.empty()) return;
+    if (tears.empty()) return {};
     const Run& scans = *site.runs[consensus.siteRuns[run]];
-    found[run] = HeldLinks(scans, graph.runs[run], consensus).held(tears);
+    return HeldLinks(scans, graph.runs[run], consensus).held(tears);
   });
-  std::vector<PoseEdgeId> held;
-  for (const std::vector<PoseEdgeId>& links : found)
-    held.insert(held.end(), links.begin(), links.end());
-  return held;
 }
 
 }  // namespace roomgraph

@@ -13,6 +13,19 @@ namespace roomgraph {
 // Out:  FoundGroup
 // Next: findConsensus
 
+/** What `of` gives of each run with scans but the reference, in the order of the runs. */
+template <class Found, class Of>
+std::vector<Found> gathered(const PoseGraph& graph, const ForEach& forEach, const Of& of) {
+  std::vector<std::vector<Found>> found(graph.runs.size());
+  forEach(found.size(), [&](std::size_t index) {
+    const RunId run(index);
+    if (graph.runs[run].hasScans && run != graph.reference) found[index] = of(run);
+  });
+  std::vector<Found> all;
+  for (const std::vector<Found>& some : found) all.insert(all.end(), some.begin(), some.end());
+  return all;
+}
+
 /** Which scans have next to nothing in common with the two before them, though they lie beside them
  *  as drawn. O(scans * walls^2). */
 std::vector<bool> barelyHeldSteps(const Run& run);

@@ -1,8 +1,9 @@
 #include "roomgraph/consensus/scans_of_step.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
+
+#include "roomgraph/base/orders.h"
 
 namespace roomgraph {
 namespace {
@@ -39,9 +40,7 @@ WallMap ScansOfStep::around(std::size_t k, const std::vector<Transform2D>& poses
 
 const WallMap& ScansOfStep::behind(std::size_t k) {
   if (behindOf_ == k) return behind_;
-  std::vector<std::size_t> chosen(endBehind(k) - k);
-  std::iota(chosen.begin(), chosen.end(), k);
-  behind_ = scanMap(scans_, posesFrom(k), chosen, range_);
+  behind_ = scanMap(scans_, posesFrom(k), numbersFrom(k, endBehind(k)), range_);
   behindOf_ = k;
   return behind_;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <set>
 #include <utility>
 
@@ -12,7 +11,9 @@
 #include "match_runs.h"
 #include "own_matches.h"
 #include "refine_poses.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/mapped.h"
+#include "roomgraph/base/orders.h"
 #include "roomgraph/base/return_memory.h"
 #include "roomgraph/consensus/PoseGraph.h"
 #include "roomgraph/consensus/add_to_consensus.h"
@@ -49,12 +50,10 @@ struct CountedRuns {
     for (const std::size_t run : pairs.core) first.insert(standIns[run]);
     const std::set<std::size_t> distinct(standIns.begin(), standIns.end());
     order.assign(distinct.begin(), distinct.end());
-    const auto key = [&](std::size_t run) {
+    sortBy(order, [&](std::size_t run) {
       return std::make_pair(first.count(run) == 0,
                             site.runs[run]->map.axisDeviation.value_or(M_PI));
-    };
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t l, std::size_t r) { return key(l) < key(r); });
+    });
     core = first.empty() ? order.size() : first.size();
   }
 };
@@ -75,17 +74,9 @@ void addRuns(Consensus& consensus, const Site& site, const std::vector<std::size
 template <class Asked>
 std::vector<FoundGroup> allOwnMatches(const Consensus& consensus, const Site& site,
                                       const ForEach& forEach, const Asked& asked) {
-  const PoseGraph& graph = consensus.graph;
-  ById<RunId, std::vector<FoundGroup>> own(graph.runs.size());
-  forEach(own.size(), [&](std::size_t index) {
-    const RunId run(index);
-    if (graph.runs[run].hasScans && run != graph.reference)
-      own[run] = ownMatches(graph, run, *site.runs[consensus.siteRuns[run]], asked(run));
+  return gathered<FoundGroup>(consensus.graph, forEach, [&](RunId run) {
+    return ownMatches(consensus.graph, run, *site.runs[consensus.siteRuns[run]], asked(run));
   });
-  std::vector<FoundGroup> all;
-  for (const std::vector<FoundGroup>& found : own)
-    std::copy(found.begin(), found.end(), std::back_inserter(all));
-  return all;
 }
 
 /** The link that what a run has of a break of its own contradicts. */
@@ -122,11 +113,10 @@ bool addOwnToUnconfirmed(Consensus& consensus, const Site& site, const ForEach& 
   std::vector<FoundGroup> own = allOwnMatches(consensus, site, forEach, [&](RunId run) {
     return stepsToUnconfirmed(graph.runs[run].nodes, isConfirmed);
   });
-  const auto isKnown = [&](const FoundGroup& found) {
+  eraseIf(own, [&](const FoundGroup& found) {  // what is known
     const PoseEdge& link = graph.edges[brokenLink(graph, found)];
     return link.share < 1 || !isInlier(link, gapOf(link, consensus.poses), kInlier);
-  };
-  own.erase(std::remove_if(own.begin(), own.end(), isKnown), own.end());
+  });
   addOwn(graph, own);
   return !own.empty();
 }

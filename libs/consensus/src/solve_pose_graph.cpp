@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "edge_cost.h"
+#include "roomgraph/base/mapped.h"
 #include "wall_axes.h"
 
 namespace roomgraph {
@@ -65,9 +66,7 @@ std::vector<double> directionsOf(const WallAxes& wallAxes, const PoseGraph& grap
       sums[*pair].x += axes.weight * std::cos(4 * (poses[node].phi + axes.turn));
       sums[*pair].y += axes.weight * std::sin(4 * (poses[node].phi + axes.turn));
     }
-  std::vector<double> directions;
-  for (const Point& sum : sums) directions.push_back(std::atan2(sum.y, sum.x) / 4);
-  return directions;
+  return mapped(sums, [](Point sum) { return std::atan2(sum.y, sum.x) / 4; });
 }
 
 class Solver {

@@ -11,6 +11,7 @@
 #include "roomgraph/align/step_hold.h"
 #include "roomgraph/align/wall_share.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/base/orders.h"
 
 namespace roomgraph {
 namespace {
@@ -104,8 +105,7 @@ class Tracker {
     if (before && bestQuality(k) < fitted::kWell && isJustLost(k, before->front()))
       spin(k, before->front());
     auto& found = candidates_[k];
-    std::stable_sort(found.begin(), found.end(),
-                     [](const Candidate& l, const Candidate& r) { return l.quality > r.quality; });
+    sortDownBy(found, &Candidate::quality);
     if (found.size() > fitted::kCandidates) found.resize(fitted::kCandidates);
   }
 

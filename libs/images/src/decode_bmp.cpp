@@ -1,7 +1,7 @@
-#include <algorithm>
 #include <cstdlib>
 
 #include "decoders.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/remedies.h"
 
 namespace roomgraph {
@@ -105,7 +105,7 @@ bool isBmp(ByteView head) {
   if (head.size < kFileHeaderSize + 4 || head.data[0] != 'B' || head.data[1] != 'M') return false;
   std::uint32_t infoSize;
   std::memcpy(&infoSize, head.data + kFileHeaderSize, sizeof infoSize);
-  return std::count(std::begin(kInfoSizes), std::end(kInfoSizes), infoSize) > 0;
+  return contains(kInfoSizes, infoSize);
 }
 
 BmpHeader readBmpHeader(ByteReader reader) {
@@ -122,7 +122,7 @@ BmpHeader readBmpHeader(ByteReader reader) {
   else
     colours = readInfo(reader, infoSize, header);
   constexpr int depths[] = {1, 4, 8, 16, 24, 32};
-  if (std::count(std::begin(depths), std::end(depths), header.bitsPerPixel) == 0)
+  if (!contains(depths, header.bitsPerPixel))
     refuse(reader.file(), "it is damaged: its kind of pixel is unknown", kSavePictureAgain);
   if (kFileHeaderSize + infoSize > reader.position())
     reader.skip(kFileHeaderSize + infoSize - reader.position());

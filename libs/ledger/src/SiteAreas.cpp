@@ -55,10 +55,9 @@ void markKnown(const WallMap& map, const Transform2D& pose, const GridFrame& fra
   const Motion2D back(pose.inverse());
   for (int y = 0; y < frame.height; ++y)
     for (int x = 0; x < frame.width; ++x) {
-      const std::size_t cell = cellIndexAt(map.frame, back(frame.center({x, y})));
-      if (!hasSeen(map, cell)) continue;
-      run.labels[frame.index({x, y})] =
-          map.states[cell] == State::free ? RunAreas::free : RunAreas::occupied;
+      const State state = stateAt(map, back(frame.center({x, y})));
+      if (state == State::unknown) continue;
+      run.labels[frame.index({x, y})] = state == State::free ? RunAreas::free : RunAreas::occupied;
     }
 }
 

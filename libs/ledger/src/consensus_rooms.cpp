@@ -1,13 +1,13 @@
 #include "consensus_rooms.h"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
 #include "fitted_ledger.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/base/orders.h"
 #include "roomgraph/grid/polygon_cells.h"
 
 namespace roomgraph {
@@ -37,13 +37,10 @@ class Choosing {
   Choosing(const SiteAreas& site, const ForEach& forEach)
       : site_(site),
         forEach_(forEach),
+        order_(numbersFrom(0, site.runs.size())),
         isCovered_(site.frame.cellCount()),
         fits_(site.runs.size()) {
-    order_.resize(site.runs.size());
-    std::iota(order_.begin(), order_.end(), 0u);
-    std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
-      return site_.runs[a].weight > site_.runs[b].weight;
-    });
+    sortDownBy(order_, [&](std::size_t run) { return site_.runs[run].weight; });
   }
 
   ConsensusRooms run() {
@@ -80,11 +77,9 @@ class Choosing {
     forEach_(places.size(), [&](std::size_t i) {
       all[i] = candidate(places[i].first, places[i].second, voters, left);
     });
-    const auto key = [&](const Candidate& c) {
+    sortBy(all, [&](const Candidate& c) {
       return std::make_tuple(-c.support, -site_.runs[c.source.run].shapes[c.source.area].area);
-    };
-    std::stable_sort(all.begin(), all.end(),
-                     [&](const Candidate& l, const Candidate& r) { return key(l) < key(r); });
+    });
     return all;
   }
 

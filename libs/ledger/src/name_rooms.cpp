@@ -9,8 +9,10 @@
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/OneToOne.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/mapped.h"
+#include "roomgraph/base/orders.h"
 #include "roomgraph/grid/polygon_cells.h"
 #include "roomgraph/ledger/site_rooms.h"
 
@@ -120,8 +122,7 @@ Found findRooms(const std::vector<SiteRoom>& rooms, const SiteFile& file, const 
   RoomSet set{now.shapes, {}};
   for (const auto& doors : now.doors) {
     std::vector<std::size_t> neighbours = mapped(doors, &AreaDoor::to);
-    std::sort(neighbours.begin(), neighbours.end());
-    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+    sortUnique(neighbours);
     set.neighbours.push_back(std::move(neighbours));
   }
   RoomFits fits;
@@ -172,11 +173,7 @@ SiteRoom reshaped(const SiteRoom& known, const SiteRoom& room, const Transform2D
   return now;
 }
 
-void sortKnown(std::vector<SiteRoom>& rooms) {
-  std::stable_sort(rooms.begin(), rooms.end(), [](const SiteRoom& l, const SiteRoom& r) {
-    return l.isCorridor < r.isCorridor;
-  });
-}
+void sortKnown(std::vector<SiteRoom>& rooms) { sortBy(rooms, &SiteRoom::isCorridor); }
 
 }  // namespace
 

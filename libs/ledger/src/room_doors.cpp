@@ -6,6 +6,7 @@
 #include "fit_shape.h"
 #include "fitted_ledger.h"
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/base/containers.h"
 
 namespace roomgraph {
 namespace {
@@ -28,7 +29,7 @@ bool knows(const RunAreas& run, const GridFrame& frame, Point p) {
 
 std::optional<std::size_t> roomOf(const std::vector<AreaMatch>& matches, std::size_t area) {
   for (std::size_t s = 0; s < matches.size(); ++s)
-    if (std::count(matches[s].areas.begin(), matches[s].areas.end(), area) > 0) return s;
+    if (contains(matches[s].areas, area)) return s;
   return std::nullopt;
 }
 
@@ -49,7 +50,7 @@ std::vector<RoomDoors::Door> doorsIn(const RunAreas& run, const ConsensusRooms& 
   std::vector<RoomDoors::Door> doors;
   for (const std::size_t area : areas)
     for (const AreaDoor& door : run.doors[area]) {
-      if (std::count(areas.begin(), areas.end(), door.to) > 0) continue;
+      if (contains(areas, door.to)) continue;
       const std::optional<std::size_t> to = roomOf(matches, door.to);
       const Transform2D back = moveAt(consensus.rooms, in, room, to).inverse();
       doors.push_back({back(door.place), door.width, to});

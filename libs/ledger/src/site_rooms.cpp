@@ -1,7 +1,6 @@
 #include "roomgraph/ledger/site_rooms.h"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -10,8 +9,10 @@
 #include "room_doors.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/align/wall_map.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/mapped.h"
+#include "roomgraph/base/orders.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
@@ -31,9 +32,7 @@ std::vector<std::vector<std::size_t>> judgesOf(const SiteAreas& site,
   for (std::size_t room = 0; room < judges.size(); ++room) {
     for (std::size_t i = 0; i < site.runs.size(); ++i)
       if (isClean(consensus.matches[i][room])) judges[room].push_back(i);
-    std::stable_sort(judges[room].begin(), judges[room].end(), [&](std::size_t a, std::size_t b) {
-      return site.runs[a].weight > site.runs[b].weight;
-    });
+    sortDownBy(judges[room], [&](std::size_t i) { return site.runs[i].weight; });
     if (judges[room].size() > kMaxVoters) judges[room].resize(kMaxVoters);
   }
   return judges;
@@ -54,8 +53,7 @@ std::vector<RoomsInRun> roomsInRuns(const SiteAreas& site, const ConsensusRooms&
       RoomOutline outline(site.runs[i].shapes[match.areas[0]].polygon);
       runs[i].moves[s] =
           refinedMove(outlines[s], outline, match.move, consensus.rooms.shapes[s].middle);
-      if (std::count(judges[s].begin(), judges[s].end(), i) > 0)
-        runs[i].outlines.emplace(s, std::move(outline));
+      if (contains(judges[s], i)) runs[i].outlines.emplace(s, std::move(outline));
     }
   });
   return runs;
@@ -190,14 +188,8 @@ class Ledger {
 
 /** R1, R2, ... and C1, C2, ..., largest first. */
 void number(std::vector<SiteRoom>& rooms) {
-  std::vector<std::size_t> order(rooms.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    const auto key = [&](std::size_t s) {
-      return std::make_tuple(-rooms[s].area, rooms[s].center);
-    };
-    return key(a) < key(b);
-  });
+  std::vector<std::size_t> order = numbersFrom(0, rooms.size());
+  sortBy(order, [&](std::size_t s) { return std::make_tuple(-rooms[s].area, rooms[s].center); });
   int roomCount = 0, corridorCount = 0;
   for (const std::size_t s : order) {
     rooms[s].id = rooms[s].isCorridor ? "C" + std::to_string(++corridorCount)
@@ -237,11 +229,9 @@ std::vector<SiteRoom> siteRooms(const Site& site, const Trust& trust, const ForE
 }
 
 void sortRooms(std::vector<SiteRoom>& rooms) {
-  const auto key = [](const SiteRoom& room) {
+  sortBy(rooms, [](const SiteRoom& room) {
     return std::make_tuple(room.isCorridor, room.id.size(), room.id);
-  };
-  std::sort(rooms.begin(), rooms.end(),
-            [&](const SiteRoom& l, const SiteRoom& r) { return key(l) < key(r); });
+  });
 }
 
 }  // namespace roomgraph

@@ -4,14 +4,15 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
 #include "roomgraph/base/OneToOne.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/mapped.h"
+#include "roomgraph/base/orders.h"
 #include "roomgraph/base/statistics.h"
+#include "roomgraph/geometry/NearPlaces.h"
 #include "roomgraph/grid/polygon_cells.h"
 
 namespace roomgraph {
@@ -40,29 +41,17 @@ LabelledCells labelled(const std::vector<GraphRoom>& rooms, const GridFrame& fra
   return cells;
 }
 
-std::vector<std::uint32_t> fromLeftToRight(const std::vector<Vertex>& vertices) {
-  std::vector<std::uint32_t> order(vertices.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::tie(vertices[a].place.x, a) < std::tie(vertices[b].place.x, b);
-  });
-  return order;
-}
-
 std::vector<MatchedVertices> pairsInReach(const TopologyGraph& base, const TopologyGraph& other,
                                           double maxDistance) {
-  const std::vector<Vertex>&a = base.vertices(), &b = other.vertices();
-  const auto orderA = fromLeftToRight(a), orderB = fromLeftToRight(b);
+  const std::vector<Point> places = mapped(other.vertices(), &Vertex::place);
+  const NearPlaces near(places, maxDistance);
   std::vector<MatchedVertices> pairs;
-  std::size_t first = 0;
-  for (const std::uint32_t i : orderA) {
-    while (first < orderB.size() && b[orderB[first]].place.x < a[i].place.x - maxDistance) ++first;
-    for (std::size_t k = first; k < orderB.size(); ++k) {
-      const std::uint32_t j = orderB[k];
-      if (b[j].place.x > a[i].place.x + maxDistance) break;
-      const double apart = distance(a[i].place, b[j].place);
+  for (std::size_t i = 0; i < base.vertices().size(); ++i) {
+    const Point at = base.vertices()[i].place;
+    near.forEachNear(at, [&](std::uint32_t j) {
+      const double apart = distance(at, places[j]);
       if (apart <= maxDistance) pairs.push_back({VertexId(i), VertexId(j), apart});
-    }
+    });
   }
   return pairs;
 }
@@ -98,9 +87,7 @@ std::vector<MatchedRooms> matchRooms(const std::vector<GraphRoom>& base,
 std::vector<MatchedVertices> matchVertices(const TopologyGraph& base, const TopologyGraph& other,
                                            double maxDistance) {
   std::vector<MatchedVertices> pairs = pairsInReach(base, other, maxDistance);
-  std::sort(pairs.begin(), pairs.end(), [](const MatchedVertices& p, const MatchedVertices& q) {
-    return std::tie(p.distance, p.base, p.other) < std::tie(q.distance, q.base, q.other);
-  });
+  sortBy(pairs, [](const MatchedVertices& p) { return std::tie(p.distance, p.base, p.other); });
   OneToOne pairing(base.vertices().size(), other.vertices().size());
   std::vector<MatchedVertices> matched;
   for (const MatchedVertices& pair : pairs)

@@ -115,10 +115,7 @@ GridFrame siteFrame(const Site& site) {
   return {int(box.size().x / cell) + 1, int(box.size().y / cell) + 1, cell, box.low};
 }
 
-bool isFreeIn(const WallMap& map, Point p) {
-  const std::size_t cell = cellIndexAt(map.frame, p);
-  return cell < map.states.size() && map.states[cell] == State::free;
-}
+bool isFreeIn(const WallMap& map, Point p) { return stateAt(map, p) == State::free; }
 
 std::vector<MeasuredValue> coverageOf(const Site& site, const DistinctMaps& maps,
                                       const Trust& trust) {

@@ -9,6 +9,7 @@
 
 #include "fitted_measures.h"
 #include "roomgraph/base/OneToOne.h"
+#include "roomgraph/base/orders.h"
 
 namespace roomgraph {
 namespace {
@@ -148,9 +149,7 @@ std::vector<PathMatch> sharedPaths(const TopologyGraph& a, const TopologyGraph& 
                        other->second.length});
     }
   }
-  std::stable_sort(paths.begin(), paths.end(), [](const PathMatch& l, const PathMatch& r) {
-    return std::tie(l.from, l.to) < std::tie(r.from, r.to);
-  });
+  sortBy(paths, [](const PathMatch& path) { return std::tie(path.from, path.to); });
   return paths;
 }
 

@@ -8,6 +8,7 @@
 #include "fitted_measures.h"
 #include "roomgraph/align/FullMaps.h"
 #include "roomgraph/align/wall_map.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/relate/pair_jobs.h"
 #include "roomgraph/relate/place_runs.h"
@@ -135,8 +136,7 @@ Share shareRound(std::size_t patch, const WallPatches& patches, const std::vecto
 MeasuredValue addedOf(Walls walls, const SightingTable& sightings, const DistinctMaps& maps,
                       const Trust& trust, std::size_t run) {
   auto others = othersOf(sightings, maps, trust, run);
-  const auto isDistrusted = [&](std::size_t other) { return trust[other] <= 0; };
-  others.erase(std::remove_if(others.begin(), others.end(), isDistrusted), others.end());
+  eraseIf(others, [&](std::size_t other) { return trust[other] <= 0; });
   MeasuredValue added;
   added.hasEnoughOthers = others.size() >= kFewestOthers;
   const WallPatches& patches = *sightings.patches[run];

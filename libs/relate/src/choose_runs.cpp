@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <unordered_set>
 #include <utility>
 
 #include "fitted_relate.h"
 #include "roomgraph/align/shared_edges.h"
+#include "roomgraph/base/containers.h"
+#include "roomgraph/base/orders.h"
 #include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/shared_drives.h"
 
@@ -125,8 +126,7 @@ SeenPlaces seenPlaces(const WallMap& map, const Transform2D& pose) {
     const Point place = pose(map.placeOf(cell));
     places.push_back(squareAt(place.x) * (std::int64_t(1) << 32) + squareAt(place.y));
   }
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
+  sortUnique(places);
   return places;
 }
 
@@ -165,14 +165,11 @@ std::vector<std::size_t> chooseJudges(const SeenPlaces& seen, const std::vector<
 std::vector<std::size_t> byStraightness(const std::vector<Run>& runs) {
   double largest = 0;
   for (const Run& run : runs) largest = std::max(largest, run.map.freeArea);
-  std::vector<std::size_t> order(runs.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  const auto key = [&](std::size_t i) {
+  std::vector<std::size_t> order = numbersFrom(0, runs.size());
+  sortBy(order, [&](std::size_t i) {
     return std::make_pair(runs[i].map.freeArea < largest / 2,
                           runs[i].map.axisDeviation.value_or(M_PI));
-  };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t l, std::size_t r) { return key(l) < key(r); });
+  });
   return order;
 }
 

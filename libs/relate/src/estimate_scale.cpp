@@ -7,8 +7,12 @@
 #include "choose_runs.h"
 #include "fitted_relate.h"
 #include "roomgraph/align/fit_scale.h"
+#include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/wall_map.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/orders.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
@@ -104,19 +108,13 @@ ScaleTrial fitToWalls(const ScaleTrial& near, const Grid& picture, const WallMap
   return {resolution, alignMapsNear(run, wallMap(rescaled(picture, resolution)), {pose})};
 }
 
-/** The best first; of equal ones the smaller scale. */
-void sortByScore(std::vector<ScaleTrial>& trials) {
-  std::stable_sort(trials.begin(), trials.end(),
-                   [](const ScaleTrial& l, const ScaleTrial& r) { return l.score() > r.score(); });
-}
-
-/** All scales of the range, the best first. */
+/** All scales of the range, the best first; of equal ones the smaller scale. */
 std::vector<ScaleTrial> tryScales(const Grid& picture, const WallMap& run, const ForEach& forEach) {
   const std::vector<double> scales = scalesToTry(picture, run);
   std::vector<ScaleTrial> trials(scales.size());
   forEach(trials.size(),
           [&](std::size_t i) { trials[i] = trialAt(scales[i], picture, run, kQuickSearch); });
-  sortByScore(trials);
+  sortDownBy(trials, &ScaleTrial::score);
   return trials;
 }
 
@@ -138,15 +136,9 @@ ScaleTrial lookCloser(const ScaleTrial& trial, const Grid& picture, const WallMa
 /** The best scales that are not near a better one, looked at closely; the best first. */
 std::vector<ScaleTrial> bestOf(const std::vector<ScaleTrial>& trials, const Grid& picture,
                                const WallMap& run, const ForEach& forEach) {
-  std::vector<ScaleTrial> chosen;
-  for (const ScaleTrial& trial : trials) {
-    const bool isNear = std::any_of(chosen.begin(), chosen.end(), [&](const ScaleTrial& better) {
-      return areSame(better, trial);
-    });
-    if (!isNear && chosen.size() < fitted::kCloser) chosen.push_back(trial);
-  }
+  std::vector<ScaleTrial> chosen = distinctBest(trials, fitted::kCloser, areSame);
   forEach(chosen.size(), [&](std::size_t i) { chosen[i] = lookCloser(chosen[i], picture, run); });
-  sortByScore(chosen);
+  sortDownBy(chosen, &ScaleTrial::score);
   return chosen;
 }
 
@@ -184,11 +176,10 @@ std::vector<ScaleTrial> collectVotes(const Grid& picture, const std::vector<Run>
     const ScaleTrial there{found.resolution, alignMaps(run, map, kQuickSearch)};
     all[i] = fitToWalls(there, picture, run);
   });
-  const auto isOff = [&](const ScaleTrial& vote) {
+  eraseIf(all, [&](const ScaleTrial& vote) {
     return !vote.alignment.isSameSite || vote.alignment.overlap < kMajority ||
            !areSame(vote, found);
-  };
-  all.erase(std::remove_if(all.begin(), all.end(), isOff), all.end());
+  });
   all.push_back(found);
   return all;
 }
@@ -197,10 +188,9 @@ std::vector<ScaleTrial> collectVotes(const Grid& picture, const std::vector<Run>
 double consensusOf(const std::vector<ScaleTrial>& votes) {
   double most = -HUGE_VAL;
   for (const ScaleTrial& vote : votes) most = std::max(most, vote.score());
-  std::vector<WeightedValue> scales;
-  for (const ScaleTrial& vote : votes)
-    scales.push_back({vote.resolution, std::exp(vote.score() - most)});
-  return *weightedMedian(std::move(scales));
+  return *weightedMedian(mapped(votes, [&](const ScaleTrial& vote) {
+    return WeightedValue{vote.resolution, std::exp(vote.score() - most)};
+  }));
 }
 
 }  // namespace

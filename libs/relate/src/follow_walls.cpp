@@ -10,7 +10,9 @@
 #include "roomgraph/align/WallFit.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/wall_share.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/geometry/MotionFit.h"
 #include "roomgraph/relate/sight_walls.h"
 #include "torn_end.h"
@@ -135,9 +137,7 @@ class Follower {
   /** Leaves out what has been found, and starts anew. */
   void nextLayer() {
     for (std::vector<std::uint32_t>& points : left_)
-      points.erase(std::remove_if(points.begin(), points.end(),
-                                  [&](std::uint32_t k) { return foundIn_[k] != kNone; }),
-                   points.end());
+      eraseIf(points, [&](std::uint32_t k) { return foundIn_[k] != kNone; });
     isDone_.assign(patches_.size(), false);
     queued_.assign(patches_.size(), 0);
     queue_ = {};
@@ -236,8 +236,7 @@ class Follower {
    *  walls may be off contradict each other all along. */
   bool followTornEnd() {
     if (result_.bend > kSameWhereBent) return false;
-    std::vector<bool> isFound;
-    for (const int layer : foundIn_) isFound.push_back(layer != kNone);
+    const auto isFound = mapped(foundIn_, [](int layer) { return layer != kNone; });
     const auto end = findTornEnd(map_, other_, result_, isFound);
     if (!end) return false;
     layer_ = kTornLayer, twice_ = 0;

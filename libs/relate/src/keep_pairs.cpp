@@ -9,6 +9,7 @@
 
 #include "related_sources.h"
 #include "roomgraph/base/checked_file.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/version.h"
 
 namespace roomgraph {
@@ -144,8 +145,7 @@ bool canMeet(const MapPair& pair, const WallMap& a, const WallMap& b) {
 RelatePair keepPairs(RelatePair relate, const std::vector<Run>& runs, const std::string& how,
                      const KeptPairs& kept) {
   if (!kept.read) return relate;
-  std::vector<std::string> prints;
-  for (const Run& run : runs) prints.push_back(fingerprint(run.map));
+  const auto prints = mapped(runs, [](const Run& run) { return fingerprint(run.map); });
   const std::string program = std::string(version()) + ' ' + kRelatedSources + ' ' + how;
   return [relate = std::move(relate), prints = std::move(prints), program, &runs, &kept](
              const PairOver& pair, FullMaps& maps) {

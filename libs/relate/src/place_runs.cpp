@@ -10,6 +10,7 @@
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/base/orders.h"
 #include "roomgraph/relate/pair_jobs.h"
 #include "roomgraph/relate/relate_maps.h"
 #include "roomgraph/relate/sight_walls.h"
@@ -71,8 +72,7 @@ std::vector<std::vector<std::size_t>> sitesIn(const MapPairs& related, const Joi
     const bool hasReference = reference && sets.find(*reference) == site.front();
     return std::make_tuple(hasReference, site.size(), confidence[site.front()]);
   };
-  std::stable_sort(sites.begin(), sites.end(),
-                   [&](const auto& l, const auto& r) { return rank(l) > rank(r); });
+  sortDownBy(sites, rank);
   return sites;
 }
 

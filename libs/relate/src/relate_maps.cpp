@@ -11,6 +11,7 @@
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/mapped.h"
+#include "roomgraph/base/orders.h"
 #include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/sight_walls.h"
 
@@ -108,8 +109,7 @@ std::vector<Transform2D> piecesInHub(const MapPair& hubAndMap, const WallMap& ma
     else
       same->walls += f.walls;
   }
-  std::stable_sort(pieces.begin(), pieces.end(),
-                   [](const Piece& l, const Piece& r) { return l.walls > r.walls; });
+  sortDownBy(pieces, &Piece::walls);
   std::vector<Transform2D> poses;
   for (std::size_t i = 0; i < std::min(pieces.size(), fitted::kMostOthers); ++i)
     poses.push_back(pieces[i].pose);

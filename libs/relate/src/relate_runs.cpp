@@ -9,7 +9,9 @@
 #include "fitted_relate.h"
 #include "keep_pairs.h"
 #include "roomgraph/align/shared_edges.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/mapped.h"
+#include "roomgraph/base/orders.h"
 #include "roomgraph/relate/pair_jobs.h"
 #include "roomgraph/relate/place_runs.h"
 #include "roomgraph/relate/shared_drives.h"
@@ -46,10 +48,9 @@ class RelatedPairs {
       if (pair.a > pair.b) std::swap(pair.a, pair.b);
       if (options_.areAligned) pair.hub = pair.a;
     }
-    const auto isKnown = [&](const PairOver& pair) {
+    eraseIf(pairs, [&](const PairOver& pair) {  // what is known
       return pair.a == pair.b || !found_.try_emplace({pair.a, pair.b}).second;
-    };
-    pairs.erase(std::remove_if(pairs.begin(), pairs.end(), isKnown), pairs.end());
+    });
     const auto runs = mapped(pairs, [](const PairOver& p) { return PairOfThings(p.a, p.b); });
     const auto jobs = pairJobs(runs, [&](std::size_t run) { return mapOf(run).isBare(); });
     forEach_(jobs.size(), [&](std::size_t job) {
@@ -219,8 +220,7 @@ class SiteBySite {
     }
     std::vector<PairOver> pairs;
     for (auto& [size, some] : alike) {
-      std::sort(some.begin(), some.end(),
-                [](const Member* l, const Member* r) { return l->run < r->run; });
+      sortBy(some, &Member::run);
       for (std::size_t i = 0; i < some.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
           if (areIdentical(runs_[some[j]->run].map, runs_[some[i]->run].map)) {

@@ -9,6 +9,7 @@
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/UnionFind.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/geometry/MotionFit.h"
 #include "roomgraph/relate/place_runs.h"
@@ -198,11 +199,9 @@ std::optional<BendField::Carried> BendField::operator()(const Transform2D& place
   const double most = support(first), heaviest = first.weight;
   Carried carried;
   carried.rival = rivalOf(about.shift(), place, words);
-  words.erase(std::remove_if(words.begin(), words.end(),
-                             [&](const Word& word) {
-                               return distance(word.pose.shift(), about.shift()) >= kSameCopy;
-                             }),
-              words.end());
+  eraseIf(words, [&](const Word& word) {
+    return distance(word.pose.shift(), about.shift()) >= kSameCopy;
+  });
   carried.pose = meanOf(words, about);
   carried.nearest = HUGE_VAL;
   double squares = 0, farthest = HUGE_VAL;

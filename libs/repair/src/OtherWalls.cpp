@@ -1,9 +1,9 @@
 #include "OtherWalls.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "fitted_repair.h"
+#include "roomgraph/base/orders.h"
 
 namespace roomgraph {
 OtherWalls::OtherWalls(const SolvedSite& solved, std::size_t but,
@@ -23,9 +23,7 @@ OtherWalls::OtherWalls(const SolvedSite& solved, std::size_t but,
       poses.push_back(real[k]);
     }
   }
-  std::vector<std::size_t> all(scans.size());
-  std::iota(all.begin(), all.end(), std::size_t(0));
-  if (!all.empty()) map_ = scanMap(scans, poses, all);
+  if (!scans.empty()) map_ = scanMap(scans, poses, numbersFrom(0, scans.size()));
 }
 
 }  // namespace roomgraph

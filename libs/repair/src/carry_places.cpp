@@ -19,11 +19,6 @@ namespace {
 constexpr const char* kTwice = "one of the maps has the place twice";
 constexpr const char* kAmbiguous = "the maps may also fit each other in another pose";
 
-State stateAt(const WallMap& map, Point place) {
-  const std::size_t cell = cellIndexAt(map.frame, place);
-  return cell < map.states.size() ? map.states[cell] : State::unknown;
-}
-
 /** Whether a map has a free cell up to `reach` away from a place. */
 bool isFreeNear(const WallMap& map, Point place, double reach) {
   const int cells = int(reach / map.frame.resolution);
@@ -180,8 +175,7 @@ bool isInSight(const WallMap& map, Point from, Point wall) {
   const int steps = int(std::ceil((length - 2 * kSameWall) / step));
   for (int i = 0; i < steps; ++i) {
     const double along = kSameWall + i * step;
-    const std::size_t cell = cellIndexAt(map.frame, from + (along / length) * (wall - from));
-    if (cell >= map.states.size() || map.states[cell] != State::free) return false;
+    if (stateAt(map, from + (along / length) * (wall - from)) != State::free) return false;
   }
   return true;
 }

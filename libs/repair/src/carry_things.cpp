@@ -1,9 +1,9 @@
 #include "roomgraph/repair/carry_things.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "fitted_repair.h"
+#include "roomgraph/base/orders.h"
 #include "roomgraph/repair/BendField.h"
 #include "roomgraph/repair/carry_places.h"
 
@@ -37,9 +37,8 @@ std::vector<Transform2D> posesOf(const std::vector<Place>& places,
 /** The nearest others of each place, from the nearest on. */
 std::vector<std::vector<std::size_t>> neighboursOf(const std::vector<Transform2D>& places) {
   std::vector<std::vector<std::size_t>> neighbours;
-  std::vector<std::size_t> others(places.size());
   for (const Transform2D& place : places) {
-    std::iota(others.begin(), others.end(), std::size_t(0));
+    std::vector<std::size_t> others = numbersFrom(0, places.size());
     const auto far = [&](std::size_t k) { return squaredNorm(places[k].shift() - place.shift()); };
     const std::size_t count = std::min(fitted::kNeighbours + 1, others.size());
     std::partial_sort(others.begin(), others.begin() + std::ptrdiff_t(count), others.end(),

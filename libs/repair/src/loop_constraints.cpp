@@ -7,6 +7,7 @@
 
 #include "fitted_repair.h"
 #include "roomgraph/align/LocalScan.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/geometry/NearPlaces.h"
 
@@ -14,8 +15,7 @@ namespace roomgraph {
 
 std::string molaConstraints(const Run& run, const std::vector<Transform2D>& real) {
   const std::vector<double> path = drivenWays(run.scans);
-  std::vector<Point> places;
-  for (const Transform2D& pose : real) places.push_back(pose.shift());
+  const std::vector<Point> places = mapped(real, &Transform2D::shift);
   const NearPlaces near(places, fitted::kSameSpot);
   std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;  // the nearest first
   for (std::size_t k = 0; k < places.size(); ++k)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "fitted_repair.h"
 #include "roomgraph/align/near_poses.h"
@@ -10,6 +9,7 @@
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/mapped.h"
+#include "roomgraph/base/orders.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/breaks/MapBreak.h"
@@ -24,12 +24,8 @@ using LeftOut = std::vector<std::vector<std::size_t>>;
 class Merger {
  public:
   Merger(const std::vector<MergedRun>& runs, const MergeOptions& options)
-      : runs_(runs), options_(options) {
-    order_.resize(runs.size());
-    std::iota(order_.begin(), order_.end(), std::size_t(0));
-    std::stable_sort(order_.begin(), order_.end(), [&](std::size_t l, std::size_t r) {
-      return runs_[l].time.value_or(0) < runs_[r].time.value_or(0);
-    });
+      : runs_(runs), options_(options), order_(numbersFrom(0, runs.size())) {
+    sortBy(order_, [&](std::size_t r) { return runs_[r].time.value_or(0); });
     for (const MergedRun& run : runs)
       if (!run.drawn.empty() && run.drawn.size() != run.scans.size())
         throw UsageError("merge_runs: " + run.name + " has other scans than it has drawn");

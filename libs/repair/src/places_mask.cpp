@@ -7,6 +7,7 @@
 #include "MaskCells.h"
 #include "fitted_repair.h"
 #include "roomgraph/base/Json.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/geometry/Polygon.h"
@@ -135,8 +136,7 @@ class Mask {
     for (const auto& [block, middle] : blocksOf(region))
       for (const int x : {0, 1})
         for (const int y : {0, 1}) corners.emplace_back(block.first + x, block.second + y);
-    std::sort(corners.begin(), corners.end());
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    sortUnique(corners);
     return corners;
   }
 

@@ -9,7 +9,9 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/Json.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/file_name.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/read_document.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/xml_text.h"
@@ -195,8 +197,7 @@ class OsmFile {
  private:
   static bool isRoot(const Element& element) {
     const auto tag = std::make_pair(std::string("name"), std::string("root"));
-    return element.isNode &&
-           std::find(element.tags.begin(), element.tags.end(), tag) != element.tags.end();
+    return element.isNode && contains(element.tags, tag);
   }
 
   void addNode(const Element& node, const std::string& file) {
@@ -227,9 +228,7 @@ class OsmFile {
   }
 
   std::vector<std::size_t> placesOf(const Element& element) const {
-    std::vector<std::size_t> places;
-    for (const std::string& id : nodesOf(element)) places.push_back(nodes_.at(id).second);
-    return places;
+    return mapped(nodesOf(element), [&](const std::string& id) { return nodes_.at(id).second; });
   }
 
   /** Ways, and nodes that are something by themselves. */

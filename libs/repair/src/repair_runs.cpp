@@ -1,15 +1,14 @@
 #include "roomgraph/repair/repair_runs.h"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <numeric>
 
 #include "OtherWalls.h"
 #include "fitted_repair.h"
 #include "roomgraph/align/LocalScan.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/orders.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/breaks/MapBreak.h"
 #include "roomgraph/check/find_refuted.h"
@@ -124,11 +123,10 @@ bool isBetter(const RunFit& after, const RunFit& before) {
  *  only a few. All, where none do. */
 std::vector<std::size_t> movedScans(const std::vector<Transform2D>& drawn,
                                     const std::vector<Transform2D>& real) {
-  std::vector<std::size_t> all(drawn.size()), moved;
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  std::copy_if(all.begin(), all.end(), std::back_inserter(moved),
-               [&](std::size_t k) { return poseDistance(drawn[k], real[k]) > kSameWall; });
-  return moved.empty() ? all : moved;
+  std::vector<std::size_t> moved;
+  for (std::size_t k = 0; k < drawn.size(); ++k)
+    if (poseDistance(drawn[k], real[k]) > kSameWall) moved.push_back(k);
+  return moved.empty() ? numbersFrom(0, drawn.size()) : moved;
 }
 
 /** How far scans of a run lie from where they fit on what others have seen, once they are where
@@ -137,8 +135,7 @@ std::vector<std::size_t> movedScans(const std::vector<Transform2D>& drawn,
 std::optional<double> leftOf(const SolvedSite& solved, const std::vector<Transform2D>& real,
                              std::size_t i, const Transform2D& siteOfRun) {
   const std::vector<ScanWalls>& all = solved.site.runs[i]->scans;
-  std::vector<Transform2D> laid;
-  for (const ScanWalls& scan : all) laid.push_back(siteOfRun * scan.pose);
+  const auto laid = mapped(all, [&](const ScanWalls& scan) { return siteOfRun * scan.pose; });
   const std::vector<std::size_t> elsewhere = movedScans(laid, real);
   std::vector<ScanWalls> probes;
   std::vector<Transform2D> drawn, moved;
@@ -219,10 +216,8 @@ RepairedRun repairAlone(const Run& run, const RunCheck& check) {
   RepairedRun repaired;
   repaired.poses = drawnPoses(run.scans);
   const std::vector<Transform2D> agreed = agreedPoses(check);
-  std::vector<bool> isSeen;
-  for (const CheckedPose& at : check.path) isSeen.push_back(at.isSeenTwice);
   repaired.frame = soundFrame(repaired.poses, agreed);
-  repaired.unseen = unseenIn(run, isSeen);
+  repaired.unseen = unseenIn(run, mapped(check.path, &CheckedPose::isSeenTwice));
   judge(check, repaired);
   if (repaired.state == RepairState::mended) moveTo(agreed, run, repaired);
   return repaired;

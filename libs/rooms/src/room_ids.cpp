@@ -29,15 +29,14 @@ void leaveClippedRooms(TopologyGraph& graph) {
     const auto it = mainGroup.emplace(edges[e].room, group).first;
     if (lengthOf[group] > lengthOf[it->second]) it->second = group;
   }
-  std::vector<Vertex> vertices = graph.vertices();
-  std::vector<Edge> kept = std::move(graph).takeEdges();
-  for (std::uint32_t e = 0; e < kept.size(); ++e)
-    if (kept[e].room && mainGroup.at(kept[e].room) != groups.find(e)) kept[e].room = RoomId::none();
-  graph = TopologyGraph(std::move(vertices), std::move(kept));
+  for (std::uint32_t e = 0; e < edges.size(); ++e)
+    if (edges[e].room && mainGroup.at(edges[e].room) != groups.find(e))
+      graph.setRoom(EdgeId(e), RoomId::none());
 }
 
 /** The room of a vertex by the paths that end at it. */
-void setRoom(Vertex& vertex, VertexId v, const TopologyGraph& graph) {
+void setRoom(TopologyGraph& graph, VertexId v) {
+  Vertex& vertex = graph.vertex(v);
   const auto out = graph.outgoing(v);
   const RoomId first = graph.edge(out.front()).room;
   RoomId smallest = first;
@@ -63,25 +62,21 @@ VertexId borderBase(const TopologyGraph& graph, const Edge& edge) {
 
 TopologyGraph roomIds(TopologyGraph graph, const Rooms& rooms, double minLength) {
   leaveClippedRooms(graph);
-  std::vector<Vertex> vertices = graph.vertices();
   const RoomIndex index(rooms);
-  for (std::size_t v = 0; v < vertices.size(); ++v) {
-    if (graph.degree(VertexId(v)) == 0)
-      vertices[v].room = index.roomAt(vertices[v].place);
+  for (std::size_t i = 0; i < graph.vertices().size(); ++i) {
+    const VertexId v(i);
+    if (graph.degree(v) == 0)
+      graph.vertex(v).room = index.roomAt(graph.vertex(v).place);
     else
-      setRoom(vertices[v], VertexId(v), graph);
+      setRoom(graph, v);
   }
-  graph = TopologyGraph(std::move(vertices), std::move(graph).takeEdges());
-  std::vector<RoomId> newRoom;
-  for (const Edge& edge : graph.edges()) {
-    const VertexId base = edge.room ? VertexId::none() : borderBase(graph, edge);
-    const bool isShort = base && edge.path.length < minLength;
-    newRoom.push_back(isShort ? graph.vertex(base).room : edge.room);
+  for (std::size_t e = 0; e < graph.edges().size(); ++e) {
+    const Edge& edge = graph.edges()[e];
+    if (edge.room || edge.path.length >= minLength) continue;
+    if (const VertexId base = borderBase(graph, edge))
+      graph.setRoom(EdgeId(e), graph.vertex(base).room);
   }
-  std::vector<Vertex> kept = graph.vertices();
-  std::vector<Edge> edges = std::move(graph).takeEdges();
-  for (std::size_t e = 0; e < edges.size(); ++e) edges[e].room = newRoom[e];
-  return {std::move(kept), std::move(edges)};
+  return graph;
 }
 
 }  // namespace roomgraph

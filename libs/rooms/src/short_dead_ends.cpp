@@ -23,14 +23,14 @@ bool leavesAndComesBack(const TopologyGraph& graph, const Edge& edge) {
 }
 
 /** A border vertex that borders nothing any more is a place inside of its room. */
-void demoteLoneBorders(const TopologyGraph& graph, std::vector<Vertex>& vertices) {
-  for (std::size_t v = 0; v < vertices.size(); ++v) {
-    if (vertices[v].kind != VertexKind::border) continue;
+void demoteLoneBorders(TopologyGraph& graph) {
+  for (std::size_t v = 0; v < graph.vertices().size(); ++v) {
+    Vertex& vertex = graph.vertex(VertexId(v));
+    if (vertex.kind != VertexKind::border) continue;
     const auto out = graph.outgoing(VertexId(v));
-    const bool bordersNothing = std::all_of(out.begin(), out.end(), [&](HalfEdgeId h) {
-      return graph.edge(h).room == vertices[v].room;
-    });
-    if (bordersNothing) vertices[v].kind = VertexKind::junction;
+    const bool bordersNothing = std::all_of(
+        out.begin(), out.end(), [&](HalfEdgeId h) { return graph.edge(h).room == vertex.room; });
+    if (bordersNothing) vertex.kind = VertexKind::junction;
   }
 }
 
@@ -59,10 +59,9 @@ TopologyGraph removeShortDeadEnds(TopologyGraph graph, double minLength) {
     keepEdge[e] = !tip && !leavesAndComesBack(graph, edge);
   }
   graph = keepOnly(std::move(graph), keepVertex, keepEdge);
-  std::vector<Vertex> vertices = graph.vertices();
-  demoteLoneBorders(graph, vertices);
+  demoteLoneBorders(graph);
   // What a corridor loses may leave a junction with two ways: one path again.
-  return dissolveThrough(TopologyGraph(std::move(vertices), std::move(graph).takeEdges()));
+  return dissolveThrough(std::move(graph));
 }
 
 }  // namespace roomgraph

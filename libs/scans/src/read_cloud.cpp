@@ -1,6 +1,5 @@
 #include "roomgraph/scans/read_cloud.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "external_file.h"
@@ -8,6 +7,7 @@
 #include "read_depth_scan.h"
 #include "read_velodyne.h"
 #include "roomgraph/base/checked_file.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/scans/read_points.h"
 
 namespace roomgraph {
@@ -81,8 +81,7 @@ CloudPoints pointsOfRing(const std::uint8_t* ranges, std::size_t count, double u
 /** Points in rows and columns, in the frame of the robot; those at its origin are none. */
 CloudPoints organizedPoints(const std::uint8_t* bytes, std::size_t count) {
   CloudPoints points = pointsInRow(bytes, count, 3);
-  const auto isNone = [](const TPoint3Df& p) { return p.x == 0 && p.y == 0 && p.z == 0; };
-  points.erase(std::remove_if(points.begin(), points.end(), isNone), points.end());
+  eraseIf(points, [](const TPoint3Df& p) { return p.x == 0 && p.y == 0 && p.z == 0; });
   return points;
 }
 

@@ -104,9 +104,9 @@ TopologyGraph dissolveThrough(TopologyGraph graph) {
   const std::size_t edgeCount = edges.size();
   TopologyGraph result = keepOnly(TopologyGraph(std::move(kept), std::move(edges)), isNode,
                                   std::vector<bool>(edgeCount, true));
-  std::vector<Vertex> final = result.vertices();
-  for (std::size_t v = 0; v < final.size(); ++v) setKind(final[v], result.degree(VertexId(v)));
-  return {std::move(final), std::move(result).takeEdges()};
+  for (std::size_t v = 0; v < result.vertices().size(); ++v)
+    setKind(result.vertex(VertexId(v)), result.degree(VertexId(v)));
+  return result;
 }
 
 }  // namespace roomgraph

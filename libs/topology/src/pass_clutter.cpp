@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "roomgraph/base/UnionFind.h"
+#include "roomgraph/base/containers.h"
 
 namespace roomgraph {
 namespace {
@@ -152,7 +153,7 @@ TopologyGraph passClutter(TopologyGraph graph, const PlaceTest& isClutter,
                           const LeadsOn& leadsOn) {
   for (;;) {
     const std::vector<bool> keepEdge = ClutterPasser(graph, isClutter).keptEdges();
-    if (std::find(keepEdge.begin(), keepEdge.end(), false) == keepEdge.end()) return graph;
+    if (!contains(keepEdge, false)) return graph;
     const std::vector<bool> keepVertex(graph.vertices().size(), true);
     graph = dissolveThrough(keepOnly(std::move(graph), keepVertex, keepEdge));
     graph = removeEndsAmongClutter(std::move(graph), options, walls, leadsOn);

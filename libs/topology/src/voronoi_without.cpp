@@ -7,6 +7,7 @@
 
 #include "edge_clearance.h"
 #include "roomgraph/base/UnionFind.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/topology/voronoi_graph.h"
 
 namespace roomgraph {
@@ -95,9 +96,7 @@ class HoleFiller {
   }
 
   bool fill(Hole& hole) {
-    std::sort(hole.obstacles.begin(), hole.obstacles.end());
-    hole.obstacles.erase(std::unique(hole.obstacles.begin(), hole.obstacles.end()),
-                         hole.obstacles.end());
+    sortUnique(hole.obstacles);
     ObstacleCells around{obstacles_.frame, {}};
     for (const auto obstacle : hole.obstacles) around.cells.push_back(obstacles_.cells[obstacle]);
     VoronoiGraph local = voronoiGraph(around);

@@ -37,4 +37,18 @@ inline bool isNearAny(const std::vector<Transform2D>& poses, const Transform2D& 
                      [&](const Transform2D& other) { return areNear(other, pose, place, within); });
 }
 
+/** Of some that are sorted, the best first: up to `count` that are not the same as a better one. */
+template <class Thing, class AreSame>
+std::vector<Thing> distinctBest(const std::vector<Thing>& sorted, std::size_t count,
+                                const AreSame& areSame) {
+  std::vector<Thing> best;
+  for (const Thing& thing : sorted) {
+    if (best.size() == count) break;
+    if (std::none_of(best.begin(), best.end(),
+                     [&](const Thing& better) { return areSame(better, thing); }))
+      best.push_back(thing);
+  }
+  return best;
+}
+
 }  // namespace roomgraph

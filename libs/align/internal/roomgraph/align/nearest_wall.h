@@ -21,6 +21,12 @@ inline std::size_t cellIndexAt(const GridFrame& frame, Point place) {
   return frame.index({int(x), int(y)});
 }
 
+/** What a map knows of a place: nothing outside of it. */
+inline State stateAt(const WallMap& map, Point place) {
+  const std::size_t index = cellIndexAt(map.frame, place);
+  return index < map.states.size() ? map.states[index] : State::unknown;
+}
+
 /** Every so manyth wall point of a map is one of at most `maxPoints`; 0 without any. */
 inline std::size_t strideOf(const WallMap& map, int maxPoints) {
   return (map.walls.size() + std::size_t(maxPoints) - 1) / std::size_t(maxPoints);

@@ -67,6 +67,10 @@ class TopologyGraph {
   /** An edge one of whose ends has no other edge (paper II, "dead end"). */
   [[nodiscard]] bool isDeadEnd(EdgeId e) const;
 
+  /** For changes that leave all ways where they are. */
+  Vertex& vertex(VertexId v) { return vertices_[v.index()]; }
+  void setRoom(EdgeId e, RoomId room) { edges_[e.index()].room = room; }
+
   /** Takes the parts out, for a step that builds its own graph from them. */
   std::vector<Vertex> takeVertices() && { return std::move(vertices_); }
   std::vector<Edge> takeEdges() && { return std::move(edges_); }
