@@ -60,6 +60,7 @@ bool isBetweenRooms(const Stages& stages, const LabelMap& truth, const Passage& 
 
 void count(Counts& counts, const Stages& stages, const LabelMap& truth) {
   for (const Passage& passage : stages.areas.passages) {
+    if (!passage.b) continue;
     const bool isTrue = isBetweenRooms(stages, truth, passage);
     for (Count* one : {&counts.bySteps[int(passage.evidence.confidence * kSteps)],
                        &counts.byReasons[nameOf(passage.evidence.reason)]}) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "MapText.h"
 
 namespace roomgraph::test {
@@ -44,6 +47,25 @@ TEST(IsInWall, itGoesOnAtBothEnds) {
 TEST(IsInWall, aWallIsThinnerThanTheOpeningIsWide) {
   EXPECT_TRUE(goesOnIn(kBlock, goesOn));
   EXPECT_FALSE(goesOnIn(kBlock, isInWall));
+}
+
+TEST(IsInLongSide, itsSpaceIsLongBesideTheWallAndNotBehindIt) {
+  // An opening of three cells in the wall below a space: one as long as 30 cells, or 12; behind it
+  // are 6 cells, or 40.
+  const auto isOne = [](int length, int behind) {
+    const auto side = std::size_t(length / 2);
+    std::vector<std::string> rows(4, std::string(2 * side, '.'));
+    rows.push_back(std::string(side - 2, '#') + "..." + std::string(side - 1, '#'));
+    for (int i = 0; i < behind; ++i)
+      rows.push_back(std::string(side - 2, '#') + "..." + std::string(side - 1, '#'));
+    rows.push_back(std::string(2 * side, '#'));
+    const Grid grid = gridOf(drawn(rows, 1));
+    const int y = behind + 1, x = int(side) - 3;
+    return isInLongSide(grid, grid.frame.center({x, y}), grid.frame.center({x + 4, y}), 3.5);
+  };
+  EXPECT_TRUE(isOne(30, 6));
+  EXPECT_FALSE(isOne(12, 6));
+  EXPECT_FALSE(isOne(30, 40));
 }
 
 }  // namespace

@@ -75,16 +75,23 @@ void RegionGroups::sumWalls(const std::vector<std::uint8_t>& isWall) {
   if (walls > 0) meanWallShare_ = shares / walls;
 }
 
-void RegionGroups::findOpeningsInWalls(const Grid& grid) {
-  isInWall_.assign(voronoi_.edges.size(), 0);
+void RegionGroups::findOpeningsOffCorridors(const Grid& grid) {
+  isOffCorridor_.assign(voronoi_.edges.size(), 0);
   keepPassages();
-  for (const std::uint32_t e : edges_) isInWall_[e] = isOpeningInWall(voronoi_.edges[e], grid);
+  for (const std::uint32_t e : edges_)
+    isOffCorridor_[e] = isOpeningOffCorridor(voronoi_.edges[e], grid);
 }
 
 bool RegionGroups::isOpeningInWall(const VoronoiEdge& edge, const Grid& grid) const {
   if (clearance(edge) >= options_.corridorDoor / 2) return false;
   const Point left = voronoi_.obstacles[edge.left], right = voronoi_.obstacles[edge.right];
   return distance(left, right) >= kFacing * 2 * edge.minClearance && isInWall(grid, left, right);
+}
+
+bool RegionGroups::isOpeningOffCorridor(const VoronoiEdge& edge, const Grid& grid) const {
+  return isOpeningInWall(edge, grid) &&
+         isInLongSide(grid, voronoi_.obstacles[edge.left], voronoi_.obstacles[edge.right],
+                      options_.maxElongation);
 }
 
 double RegionGroups::wallShare(std::uint32_t region) const {
@@ -111,20 +118,20 @@ RegionGroups::AllNeighbours RegionGroups::neighbours() {
   for (const std::uint32_t e : edges_) {
     const VoronoiEdge& edge = voronoi_.edges[e];
     const std::uint32_t a = find(edge.source), b = find(edge.target);
-    const bool isInWall = !isInWall_.empty() && isInWall_[e];
-    sides.push_back({a, b, clearance(edge), isInWall});
-    sides.push_back({b, a, clearance(edge), isInWall});
+    const bool isOffCorridor = !isOffCorridor_.empty() && isOffCorridor_[e];
+    sides.push_back({a, b, clearance(edge), isOffCorridor});
+    sides.push_back({b, a, clearance(edge), isOffCorridor});
   }
   std::sort(sides.begin(), sides.end());
   AllNeighbours all;
-  for (const auto& [a, b, width, isInWall] : sides) {
+  for (const auto& [a, b, width, isOffCorridor] : sides) {
     if (all.empty() || all.back().first != a) all.push_back({a, {}});
     Neighbours& around = all.back().second;
     if (around.empty() || around.back().first != b) around.push_back({b, {}});
     Passage& passage = around.back().second;
     ++passage.count;
     passage.second = passage.clearance;
-    passage.clearance = width, passage.isInWall = isInWall;  // the widest comes last
+    passage.clearance = width, passage.isOffCorridor = isOffCorridor;  // the widest comes last
   }
   return all;
 }

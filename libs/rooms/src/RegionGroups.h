@@ -33,7 +33,7 @@ class RegionGroups {
     double clearance = 0;  // half of its width [m]
     double second = 0;     // of the next one; 0 where there is one only
     int count = 0;
-    bool isInWall = false;  // the widest, after findOpeningsInWalls
+    bool isOffCorridor = false;  // the widest, after findOpeningsOffCorridors
   };
   using Neighbours = std::vector<std::pair<std::uint32_t, Passage>>;        // by region
   using AllNeighbours = std::vector<std::pair<std::uint32_t, Neighbours>>;  // the same
@@ -72,6 +72,10 @@ class RegionGroups {
    *  on at both of its ends. */
   bool isOpeningInWall(const VoronoiEdge& edge, const Grid& grid) const;
 
+  /** The same in the side of a corridor. That may be as wide as what lies behind it, as a closet, or
+   *  a room of which a beam has seen no more. */
+  bool isOpeningOffCorridor(const VoronoiEdge& edge, const Grid& grid) const;
+
   /** How much of its area is nearest to walls, beside the mean where walls are. After sumWalls. */
   double wallShare(std::uint32_t region) const;
 
@@ -84,7 +88,7 @@ class RegionGroups {
   /** `isWall`, per obstacle, tells walls from the edge of the unknown. Areas count, not
    *  obstacles: cells make an edge the more ragged the smaller they are. O(n). */
   void sumWalls(const std::vector<std::uint8_t>& isWall);
-  void findOpeningsInWalls(const Grid& grid);
+  void findOpeningsOffCorridors(const Grid& grid);
   /** Calls `visit(edge, end, area)` for each part of an edge from an end inside to its narrowest
    *  place. `area` lies between that and one of its two obstacles [m2]: both bound as much.
    *  O(n). */
@@ -132,7 +136,7 @@ class RegionGroups {
   std::vector<double> bounded_, walled_;  // areas nearest to obstacles, and to walls [m2]
   std::vector<double> widened_;           // the former times the clearance there [m3]
   double meanWallShare_ = 1;
-  std::vector<std::uint8_t> isInWall_;  // per edge of the diagram
+  std::vector<std::uint8_t> isOffCorridor_;  // per edge of the diagram
 };
 
 /** Whether a passage is narrow beside both of its sides. */

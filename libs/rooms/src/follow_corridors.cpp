@@ -18,13 +18,13 @@ constexpr double kSameSide = 0.5;
 using WaysOn = std::map<std::uint32_t, std::vector<Point>>;  // by region, unit vectors out of it
 
 /** A corridor is narrower at doors that open into it: those do not part it. What has no other way
- *  out than an opening in a wall is no piece of it. */
+ *  out than an opening in its side is no piece of it. */
 void joinPieces(RegionGroups& regions, const std::vector<RegionKind>& kinds) {
   const RegionGroups::AllNeighbours all = regions.neighbours();
   std::vector<std::uint8_t> mayBeOne(kinds.size());
   for (const auto& [region, around] : all)
     mayBeOne[region] = kinds[region] == RegionKind::corridor &&
-                       (around.size() > 1 || !around.front().second.isInWall);
+                       (around.size() > 1 || !around.front().second.isOffCorridor);
   for (const auto& [region, around] : all)
     for (const auto& [other, passage] : around)
       if (mayBeOne[region] && mayBeOne[other] &&

@@ -36,6 +36,13 @@ bool wallGoesOn(const Grid& grid, Point end, Point other) {
   return thickness < most;
 }
 
+/** How far it is free from a place on in a direction of one cell [cells]. */
+int freeRun(const Grid& grid, Point start, Point step) {
+  int count = 0;
+  while (grid.isFree(start + double(count + 1) * step)) ++count;
+  return count;
+}
+
 }  // namespace
 
 bool goesOn(const Grid& grid, Point end, Point other) {
@@ -45,6 +52,18 @@ bool goesOn(const Grid& grid, Point end, Point other) {
 bool isInWall(const Grid& grid, Point from, Point to) {
   return goesOn(grid, from, to) && goesOn(grid, to, from) && wallGoesOn(grid, from, to) &&
          wallGoesOn(grid, to, from);
+}
+
+bool isInLongSide(const Grid& grid, Point from, Point to, double elongation) {
+  const Point along = (grid.frame.resolution / distance(from, to)) * (to - from);
+  const Point out{-along.y, along.x}, middle = midpoint(from, to);
+  const int depths[] = {freeRun(grid, middle, out), freeRun(grid, middle, -1 * out)};
+  for (const int side : {0, 1}) {
+    const Point inside = middle + (side == 0 ? 0.5 : -0.5) * double(depths[side]) * out;
+    const int length = 1 + freeRun(grid, inside, along) + freeRun(grid, inside, -1 * along);
+    if (length > elongation * depths[side] && length > depths[1 - side]) return true;
+  }
+  return false;
 }
 
 }  // namespace roomgraph

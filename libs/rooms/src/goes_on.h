@@ -16,4 +16,9 @@ bool goesOn(const Grid& grid, Point end, Point other);
  *  no block: at the end of it thinner than the opening is wide. */
 bool isInWall(const Grid& grid, Point from, Point to);
 
+/** Whether an opening is in the side of a corridor: through its middle, and beside the wall half as
+ *  deep, the free space on one of its sides is `elongation` times as long as deep, and longer than
+ *  that on the other is deep. O(length in cells). */
+bool isInLongSide(const Grid& grid, Point from, Point to, double elongation);
+
 }  // namespace roomgraph

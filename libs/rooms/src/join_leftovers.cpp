@@ -35,10 +35,10 @@ std::uint32_t openTo(const RegionGroups& regions, std::uint32_t region, const Ne
   return found;
 }
 
-/** A narrow region that opens into one other and nowhere else, and not through a wall: the space
- *  between a bed and the wall, the way round a table. */
+/** A narrow region that opens into one other and nowhere else, and does not lie off a corridor:
+ *  the space between a bed and the wall, a niche, the way round a table. */
 bool isAlcove(const RegionGroups& regions, std::uint32_t region, const Neighbours& around) {
-  return around.size() == 1 && !around[0].second.isInWall && isNarrow(regions, region) &&
+  return around.size() == 1 && !around[0].second.isOffCorridor && isNarrow(regions, region) &&
          openTo(regions, region, around) != Regions::kNone;
 }
 

@@ -22,10 +22,7 @@ using Neighbours = RegionGroups::Neighbours;
  *  is open to. So a door frame goes to one of its rooms, and not to both. */
 class PassageJoiner {
  public:
-  /** `isInCorridor`, per vertex, may be empty: openings in the walls of corridors are doors though
-   *  they are as wide as a closet, or as what a beam has seen of a room. */
-  PassageJoiner(RegionGroups& regions, const Grid& grid, const InsideFlags& isInCorridor)
-      : regions_(regions), grid_(grid), isInCorridor_(isInCorridor) {}
+  PassageJoiner(RegionGroups& regions, const Grid& grid) : regions_(regions), grid_(grid) {}
 
   void join(const std::uint32_t* first, const std::uint32_t* last) {
     edges_.assign(first, last);
@@ -62,14 +59,12 @@ class PassageJoiner {
                   regions_.options().maxWidth);
   }
 
-  /** One that is hardly narrower than the narrower of its rooms, as furniture beside a wall is not,
-   *  or that leads off a corridor. */
+  /** One that is hardly narrower than the narrower of its rooms, or that leads off a corridor. */
   bool isDoorInWall(const VoronoiEdge& edge, std::uint32_t a, std::uint32_t b) const {
-    const bool isOffCorridor = !isInCorridor_.empty() && isInCorridor_[edge.source];
     const double narrower = clearance_ + regions_.halfCell() / 2;
-    return (isOffCorridor ||
-            isDoor(regions_, narrower, a, b, 1, regions_.options().corridorDoor)) &&
-           regions_.isOpeningInWall(edge, grid_);
+    return isDoor(regions_, narrower, a, b, 1, regions_.options().corridorDoor)
+               ? regions_.isOpeningInWall(edge, grid_)
+               : regions_.isOpeningOffCorridor(edge, grid_);
   }
 
   bool joinEqual() {
@@ -106,31 +101,20 @@ class PassageJoiner {
 
   RegionGroups& regions_;
   const Grid& grid_;
-  const InsideFlags& isInCorridor_;
   std::vector<std::uint32_t> edges_;  // between regions that have not met yet
   double clearance_ = 0;              // of all these passages
   std::vector<Pair> pairs_, chosen_;  // members, as most widths have but one edge
 };
 
 /** From wide to narrow: what is no door joins. */
-void joinOpenPassages(RegionGroups& regions, const Grid& grid, const InsideFlags& isInCorridor) {
+void joinOpenPassages(RegionGroups& regions, const Grid& grid) {
   const std::vector<std::uint32_t>& edges = regions.edges();
   const auto width = [&](std::size_t i) { return regions.voronoi().edges[edges[i]].minClearance; };
-  PassageJoiner joiner(regions, grid, isInCorridor);
+  PassageJoiner joiner(regions, grid);
   for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
     while (end < edges.size() && width(end) >= width(first) * (1 - kSameWidth)) ++end;
     joiner.join(edges.data() + first, edges.data() + end);
   }
-}
-
-/** Per vertex, whether it is in a region as long as a corridor, with what opens widely into it. */
-InsideFlags inCorridors(RegionGroups regions, const Grid& grid) {
-  joinOpenPassages(regions, grid, {});
-  regions.sumAreas();
-  InsideFlags isIn(regions.isInside().size());
-  for (std::uint32_t v = 0; v < isIn.size(); ++v)
-    isIn[v] = regions.isInside()[v] && regions.isLong(regions.find(v));
-  return isIn;
 }
 
 std::vector<double> seenShares(RegionGroups& regions, const Regions& found) {
@@ -190,10 +174,10 @@ Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
   const InsideFlags isClear = clearInside(voronoi, isInside, minClearance);
   const double halfCell = grid.frame.resolution / 2;
   RegionGroups regions(voronoi, isClear, minClearance, halfCell, options);
-  joinOpenPassages(regions, grid, inCorridors(regions, grid));
+  joinOpenPassages(regions, grid);
   regions.sumAreas();
   regions.sumWalls(isWall);
-  regions.findOpeningsInWalls(grid);
+  regions.findOpeningsOffCorridors(grid);
   joinLeftovers(regions);
   std::vector<RegionKind> kinds = regionKinds(regions, ownWidths(regions, isWall));
   followCorridors(regions, kinds);

@@ -18,10 +18,10 @@ namespace roomgraph {
  *  narrow, each widest place starts a region, and two regions meet where a disc of some diameter
  *  first fits through between them. They become one unless that passage is a door (narrow beside
  *  both, or narrower than both in a wall that goes on at both of its ends; off what is as long as a
- *  corridor, no wider than a door in such a wall) or narrow beside the wider one. So each room has its own door width and its own inscribed radius, and no alpha is
+ *  corridor, however wide beside what it leads to) or narrow beside the wider one. So each room has its own door width and its own inscribed radius, and no alpha is
  *  set. Then leftovers, such as door frames and the corners beside them, join the neighbour behind
  *  their widest passage; of several as wide the largest. So do alcoves, narrow regions that open
- *  widely into one other alone, and not through a wall, and bays: short regions that open with nearly their whole width
+ *  widely into one other alone, and not through a door off a corridor, and bays: short regions that open with nearly their whole width
  *  into one wider room, and else at doors only. What remains is half seen, and neither room nor
  *  corridor, where it lies nearer to the edge of the unknown than to walls (`isWall`, per
  *  obstacle). It is a corridor where it is too narrow for a room, also beside the rest of the map;
