@@ -68,12 +68,12 @@ class RegionGroups {
            2 * radius(region) <= options_.maxCorridorWidth;
   }
 
-  /** Whether the narrowest place of an edge is an opening, no wider than a door, in a wall that goes
-   *  on at both of its ends. */
+  /** Whether the narrowest place of an edge is an opening, no wider than a door, in a wall that
+   *  goes on at both of its ends. */
   bool isOpeningInWall(const VoronoiEdge& edge, const Grid& grid) const;
 
-  /** The same in the side of a corridor. That may be as wide as what lies behind it, as a closet, or
-   *  a room of which a beam has seen no more. */
+  /** The same in the side of a corridor. That may be as wide as what lies behind it, as a closet,
+   *  or a room of which a beam has seen no more. */
   bool isOpeningOffCorridor(const VoronoiEdge& edge, const Grid& grid) const;
 
   /** How much of its area is nearest to walls, beside the mean where walls are. After sumWalls. */

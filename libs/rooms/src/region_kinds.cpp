@@ -116,8 +116,8 @@ bool isCompact(const RegionGroups& regions, std::uint32_t region, std::vector<Po
          solidity >= kLeastSolidity && solidity * width >= 2 * regions.meanWidth(region);
 }
 
-/** Whether a narrow one has as much wall as a room has. Of what opens into corridors only, beams from
- *  there have seen a part. */
+/** Whether a narrow one has as much wall as a room has. Of what opens into corridors only, beams
+ *  from there have seen a part. */
 bool isSeenEnough(const RegionGroups& regions, std::uint32_t region, const Neighbours& exits) {
   const auto isLong = [&](const auto& way) { return regions.isLong(way.first); };
   return regions.wallShare(region) >= regions.options().minClosedShare ||

@@ -45,8 +45,8 @@ struct PassageEvidence {
   PassageReason reason = PassageReason::narrowing;
 };
 
-/** An opening between two obstacles in which two areas meet, or through which beams have seen space,
- *  but too little of it for an area. */
+/** An opening between two obstacles in which two areas meet, or through which beams have seen
+ *  space, but too little of it for an area. */
 struct Passage {
   AreaId a, b;       ///< the smaller one first; b is none for space that is in no area
   Point from, to;    ///< its two ends, which are obstacles [m, map frame]
