@@ -7,6 +7,7 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/OneToOne.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/evaluation/write_stability.h"
@@ -126,7 +127,7 @@ void keepLargePairs(Counts& counts, std::size_t largestDropped) {
   const auto isDropped = [&](const Pair& pair) {
     return counts.seg.size[pair.s] <= largestDropped || counts.truth.size[pair.g] <= largestDropped;
   };
-  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), isDropped), pairs.end());
+  eraseIf(pairs, isDropped);
   std::stable_sort(pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) {
     if (a.overlap != b.overlap) return a.overlap > b.overlap;
     return unionOf(a, counts) < unionOf(b, counts);

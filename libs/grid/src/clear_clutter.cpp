@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ClutterGroup.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
@@ -45,10 +46,11 @@ class ClutterFinder {
       mark(group_, isFound && isSmall(group_) ? Mark::small : Mark::other);
       if (isFound) found.push_back(std::move(group_));
     }
-    drop(found, [&](const ClutterGroup& group) { return isSmall(group) && isPieceOfWall(group); });
+    eraseIf(found,
+            [&](const ClutterGroup& group) { return isSmall(group) && isPieceOfWall(group); });
     for (const ClutterGroup& group : found)
       if (isSmall(group)) freeCells(group);
-    drop(found, [&](const ClutterGroup& group) { return !isSmall(group) && !isTable(group); });
+    eraseIf(found, [&](const ClutterGroup& group) { return !isSmall(group) && !isTable(group); });
     std::vector<Clutter> clutter;
     for (const ClutterGroup& group : found) {
       freeCells(group);
@@ -61,11 +63,6 @@ class ClutterFinder {
   }
 
  private:
-  template <class Stays>
-  static void drop(std::vector<ClutterGroup>& groups, const Stays& stays) {
-    groups.erase(std::remove_if(groups.begin(), groups.end(), stays), groups.end());
-  }
-
   void mark(const ClutterGroup& group, Mark as) {
     for (const Cell cell : group.cells) marks_[grid_.frame.index(cell)] = as;
   }

@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "goes_on.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/topology/face_areas.h"
 
 namespace roomgraph {
@@ -108,7 +109,7 @@ void RegionGroups::keepPassages() {
   const auto isInner = [&](std::uint32_t e) {
     return find(voronoi_.edges[e].source) == find(voronoi_.edges[e].target);
   };
-  edges_.erase(std::remove_if(edges_.begin(), edges_.end(), isInner), edges_.end());
+  eraseIf(edges_, isInner);
 }
 
 RegionGroups::AllNeighbours RegionGroups::neighbours() {

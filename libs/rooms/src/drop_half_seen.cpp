@@ -1,7 +1,6 @@
 #include "roomgraph/rooms/drop_half_seen.h"
 
-#include <algorithm>
-
+#include "roomgraph/base/containers.h"
 #include "roomgraph/rooms/RoomIndex.h"
 
 namespace roomgraph {
@@ -12,12 +11,9 @@ EdgeIndices dropHalfSeen(const VoronoiGraph& voronoi, EdgeIndices edges,
   const auto isHalfSeen = [&](std::uint32_t v) {
     return bool(halfSeen.roomAt(voronoi.vertices[v].place));
   };
-  edges.erase(std::remove_if(edges.begin(), edges.end(),
-                             [&](std::uint32_t e) {
-                               const VoronoiEdge& edge = voronoi.edges[e];
-                               return isHalfSeen(edge.source) || isHalfSeen(edge.target);
-                             }),
-              edges.end());
+  eraseIf(edges, [&](std::uint32_t e) {
+    return isHalfSeen(voronoi.edges[e].source) || isHalfSeen(voronoi.edges[e].target);
+  });
   return edges;
 }
 

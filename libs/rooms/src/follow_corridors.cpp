@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "join_leftovers.h"
+#include "roomgraph/base/containers.h"
 
 namespace roomgraph {
 namespace {
@@ -82,7 +83,7 @@ class Chains {
       chain.radius = std::max(chain.radius, regions_.radius(region));
     }
     const auto isShort = [&](std::uint32_t region) { return !isLong(all[chains_.find(region)]); };
-    links_.erase(std::remove_if(links_.begin(), links_.end(), isShort), links_.end());
+    eraseIf(links_, isShort);
     return std::move(links_);
   }
 

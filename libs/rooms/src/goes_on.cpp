@@ -15,20 +15,20 @@ bool isEveryPlaceBeyond(const Grid& grid, Point end, Point other, const Visit& v
   return true;
 }
 
-bool wallGoesOn(const Grid& grid, Point end, Point other) {
+/** Of what goes on, so that nothing there is free. */
+bool isMostlyWall(const Grid& grid, Point end, Point other) {
   const auto isWall = [&](Point p) {
     return grid.atOrUnknown(grid.frame.cellAt(p)) == State::occupied;
   };
   int places = 0, walls = 0;
   Point last = end, across;  // of the wall
-  const bool isClosed = isEveryPlaceBeyond(grid, end, other, [&](Point p, Point aside) {
-    if (grid.isFree(p)) return false;
+  isEveryPlaceBeyond(grid, end, other, [&](Point p, Point aside) {
     ++places, across = aside;
     if (isWall(p)) last = p;
     walls += isWall(p) || isWall(p + aside) || isWall(p - aside) ? 1 : 0;
     return true;
   });
-  if (!isClosed || 2 * walls < places) return false;
+  if (2 * walls < places) return false;
   const int most = 2 * places;  // as the places are those of half of the width
   int thickness = 0;
   for (const Point step : {across, -1 * across})
@@ -50,8 +50,8 @@ bool goesOn(const Grid& grid, Point end, Point other) {
 }
 
 bool isInWall(const Grid& grid, Point from, Point to) {
-  return goesOn(grid, from, to) && goesOn(grid, to, from) && wallGoesOn(grid, from, to) &&
-         wallGoesOn(grid, to, from);
+  return goesOn(grid, from, to) && goesOn(grid, to, from) && isMostlyWall(grid, from, to) &&
+         isMostlyWall(grid, to, from);
 }
 
 bool isInLongSide(const Grid& grid, Point from, Point to, double elongation) {

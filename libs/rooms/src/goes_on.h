@@ -5,7 +5,7 @@ namespace roomgraph {
 
 // Ours
 // In:   an opening, and the map without clutter
-// Out:  whether its wall goes on beside it
+// Out:  whether its wall goes on beside it, and whether it is in the side of a corridor
 // Next: splitAtDoors, passageEvidence
 
 /** Whether wall, or what nobody has seen, goes on beyond `end` in line with an opening that ends

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "HallGraph.h"
+#include "roomgraph/base/containers.h"
 #include "roomgraph/grid/polygon_cells.h"
 #include "straight_ways.h"
 
@@ -108,9 +109,7 @@ class Hall {
     if (near.empty()) return near;
     const double least = std::min_element(near.begin(), near.end())->first;
     const double most = 2 / (kNearly - 1) * least;
-    near.erase(std::remove_if(near.begin(), near.end(),
-                              [&](const Near& n) { return n.first > kNearly * most; }),
-               near.end());
+    eraseIf(near, [&](const Near& n) { return n.first > kNearly * most; });
     std::sort(near.begin(), near.end());
     return near;
   }
@@ -184,10 +183,7 @@ class Hall {
         if (const double far = squaredNorm(place.floor - way); far < place.farSquared)
           place.farSquared = far, place.way = way;
     }
-    places.erase(std::remove_if(
-                     places.begin(), places.end(),
-                     [](const Place& place) { return place.farSquared <= kFarFloor * kFarFloor; }),
-                 places.end());
+    eraseIf(places, [](const Place& place) { return place.farSquared <= kFarFloor * kFarFloor; });
   }
 
   bool isClear(Point a, Point b) const {

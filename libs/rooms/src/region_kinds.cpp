@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/geometry/Polygon.h"
 
@@ -62,7 +63,7 @@ bool hasLittleWall(const RegionGroups& regions, std::uint32_t region) {
 /** Those that a way out leads to: through a window beams go, but nobody else. */
 Neighbours seenOnes(const RegionGroups& regions, Neighbours around) {
   const auto isUnseen = [&](const auto& way) { return hasLittleWall(regions, way.first); };
-  around.erase(std::remove_if(around.begin(), around.end(), isUnseen), around.end());
+  eraseIf(around, isUnseen);
   return around;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "roomgraph/base/containers.h"
 #include "roomgraph/base/mapped.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/rooms/trace_rooms.h"
@@ -70,7 +71,7 @@ class FaceCover {
       };
       return !isOpen(edge->source) && !isOpen(edge->target);
     };
-    edges_.erase(std::remove_if(edges_.begin(), edges_.end(), isDone), edges_.end());
+    eraseIf(edges_, isDone);
     return !faces.empty();
   }
 

@@ -11,6 +11,7 @@
 #include "join_leftovers.h"
 #include "number_regions.h"
 #include "region_kinds.h"
+#include "roomgraph/base/containers.h"
 
 namespace roomgraph {
 namespace {
@@ -51,7 +52,7 @@ class PassageJoiner {
         pairs_.push_back({a, b, regions_.radius(b)});
       return false;
     };
-    edges_.erase(std::remove_if(edges_.begin(), edges_.end(), isJoined), edges_.end());
+    eraseIf(edges_, isJoined);
   }
 
   bool isDoorBetween(std::uint32_t a, std::uint32_t b) const {
@@ -185,18 +186,17 @@ Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
   // A joined region goes by the smallest of its parts, all of which are alike.
   const auto kindOf = [&](std::uint32_t v) { return kinds[v]; };
   const auto areaOf = [&](std::uint32_t v) { return regions.area(v); };
-  const auto numbered = [&] {
-    Regions found = numberRegions(regions.groups(), isClear, kindOf, areaOf, 0);
-    found.seen = seenShares(regions, found);
-    return found;
-  };
+  const auto numbered = [&] { return numberRegions(regions.groups(), isClear, kindOf, areaOf, 0); };
   Regions found = numbered();
   const std::vector<std::uint8_t> isHall = findHalls(voronoi, found, options);
-  if (std::find(isHall.begin(), isHall.end(), 1) == isHall.end()) return found;
-  for (std::uint32_t v = 0; v < kinds.size(); ++v)
-    if (found.regionOf[v] != Regions::kNone && isHall[found.regionOf[v]])
-      kinds[v] = RegionKind::room;
-  return numbered();
+  if (contains(isHall, 1)) {
+    for (std::uint32_t v = 0; v < kinds.size(); ++v)
+      if (found.regionOf[v] != Regions::kNone && isHall[found.regionOf[v]])
+        kinds[v] = RegionKind::room;
+    found = numbered();
+  }
+  found.seen = seenShares(regions, found);
+  return found;
 }
 
 }  // namespace roomgraph

@@ -41,9 +41,9 @@ namespace roomgraph {
  *  them become one. One that is corridor by its aisles alone is a room: it goes round several
  *  islands in which no other region lies, none wider than its widest aisle, and would be no longer
  *  than a room without them, as a hall with shelves or desks. All widths are free ones, between the
- *  sides of obstacle cells of the map without clutter, `grid`, not between their centres.
- *  Regions::seen is told. `minClearance` keeps passages between neighbouring cells of a wall out
- *  [m]. Equal widths are judged together, so the order of the edges does not matter. O(n log n). */
+ *  sides of obstacle cells of the map without clutter, `grid`, not between their centres. Fills in
+ *  Regions::seen, too. `minClearance` keeps passages between neighbouring cells of a wall out [m].
+ *  Equal widths are judged together, so the order of the edges does not matter. O(n log n). */
 [[nodiscard]] Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
                                    const std::vector<std::uint8_t>& isWall, double minClearance,
                                    const Grid& grid, const SplitAtDoorsOptions& options);
