@@ -60,6 +60,7 @@ std::vector<Passage> findPassages(const Grid& grid, const RegionOutlines& outlin
     const double radius = std::min(outlines.regions[border.left].inscribedRadius,
                                    outlines.regions[border.right].inscribedRadius);
     passage.evidence = passageEvidence(grid, border, radius, doors);
+    if (!passage.b) passage.evidence.confidence /= 2;  // of two sides one is known
     passages.push_back(passage);
   }
   std::sort(passages.begin(), passages.end(), [](const Passage& p, const Passage& q) {

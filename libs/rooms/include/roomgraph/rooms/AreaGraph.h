@@ -40,7 +40,8 @@ struct PassageEvidence {
   /** 0 to 1: the geometric mean of how much narrower it is than the narrower area, and than the
    *  widest door; 0 where it is as wide as one of these. In a wall that goes on at both ends, up to
    *  SplitAtDoorsOptions::corridorDoor, the latter alone. Where it is narrower than the narrowest
-   *  room, as gaps beside furniture are, only that share of it. As many ends count as are wall. */
+   *  room, as gaps beside furniture are, only that share of it. As many ends count as are wall, and
+   *  half of it where only one side is an area: beams also go through windows. */
   double confidence = 0;
   PassageReason reason = PassageReason::narrowing;
 };
