@@ -145,7 +145,7 @@ bool canMeet(const MapPair& pair, const WallMap& a, const WallMap& b) {
 RelatePair keepPairs(RelatePair relate, const std::vector<Run>& runs, const std::string& how,
                      const KeptPairs& kept) {
   if (!kept.read) return relate;
-  const auto prints = mapped(runs, [](const Run& run) { return fingerprint(run.map); });
+  auto prints = mapped(runs, [](const Run& run) { return fingerprint(run.map); });
   const std::string program = std::string(version()) + ' ' + kRelatedSources + ' ' + how;
   return [relate = std::move(relate), prints = std::move(prints), program, &runs, &kept](
              const PairOver& pair, FullMaps& maps) {
