@@ -35,7 +35,7 @@ mrpt::math::CMatrixDouble44 readPoseMatrix(ByteReader& reader, int version) {
     if (stored.rows != 4 || stored.columns != 4)
       refuse(reader.file(), "it is damaged: a pose in it is not valid", kSaveMapAgain);
     for (int r = 0; r < 3; ++r)
-      for (int c = 0; c < 4; ++c) m(r, c) = stored.numbers.at(std::size_t(4 * r + c));
+      for (int c = 0; c < 4; ++c) m(r, c) = stored.numbers.at(4 * std::size_t(r) + std::size_t(c));
     return m;
   }
   for (int r = 0; r < 3; ++r) m(r, 3) = reader.get<double>();
