@@ -14,7 +14,7 @@ std::optional<WallPoint> wallOf(const Keyframe& frame, std::size_t i) {
   const Point along = frame.ends[i + 1] - frame.ends[i - 1];
   const double gap = kSameSurface * std::max(1.0, norm(end) / kSurfaceRange);
   if (norm(along) < 1e-6 || norm(along) > 2 * gap) return std::nullopt;
-  Point normal = (1 / norm(along)) * Point{-along.y, along.x};
+  Point normal = (1 / norm(along)) * toLeft(along);
   if (dot(normal, end) > 0) normal = -1.0 * normal;  // towards the robot
   const Point out = turned(normal, frame.pose.phi);
   return WallPoint{frame.pose(end), out};

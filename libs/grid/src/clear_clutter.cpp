@@ -146,7 +146,7 @@ class ClutterFinder {
    *  something stands there across it, or as large. A ragged or slanted one goes on in a band that
    *  is a cell wider on either side. */
   int thicknessAt(Point place, Point direction) const {
-    const Point across{-direction.y, direction.x};
+    const Point across = toLeft(direction);
     const int length = 1 + run([&](int step) {
                          const Point on = place + double(step) * direction;
                          return isSolid(on) || isSolid(on + across) || isSolid(on - across);

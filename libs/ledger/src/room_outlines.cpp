@@ -80,7 +80,7 @@ void RoomOutline::addRing(const Ring& ring) {
     const int count = std::max(1, int(std::lround(length / kWallCell)));
     for (int k = 0; k < count; ++k) {
       places_.push_back(a + ((k + 0.5) / count * length) * along);
-      normals_.push_back({-along.y, along.x});
+      normals_.push_back(toLeft(along));
     }
   }
 }

@@ -66,7 +66,7 @@ Point sideways(const Polyline& line, std::size_t i, bool isClosed) {
   const auto normal = [&](std::size_t from) {
     const Point along = line[(from + 1) % n] - line[from];
     const double size = norm(along);
-    return size > 0 ? (1 / size) * Point{-along.y, along.x} : Point{};
+    return size > 0 ? (1 / size) * toLeft(along) : Point{};
   };
   const bool hasBefore = isClosed || i > 0, hasAfter = isClosed || i + 1 < n;
   const Point before = hasBefore ? normal((i + n - 1) % n) : normal(i);

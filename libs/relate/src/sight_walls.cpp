@@ -26,7 +26,7 @@ std::vector<Transform2D> posesOfPatches(const WallMap& map, const FollowedWalls&
 /** Whether a wall goes on straight for the side of a patch, but for a tenth of it. */
 bool isStraight(const WallMap& map, const WallPoint& wall) {
   const int steps = int(std::lround(kPatchSide / kWallCell));
-  const Point along = kWallCell * Point{-wall.normal.y, wall.normal.x};
+  const Point along = kWallCell * toLeft(wall.normal);
   for (const int first : {-steps, -steps / 2, 0}) {
     int gaps = 0;
     for (int step = first; step <= first + steps && 10 * gaps <= steps; ++step) {

@@ -28,7 +28,7 @@ void joinPieces(RegionGroups& regions, const std::vector<RegionKind>& kinds) {
                        (around.size() > 1 || !around.front().second.isOffCorridor);
   for (const auto& [region, around] : all)
     for (const auto& [other, passage] : around)
-      if (mayBeOne[region] && mayBeOne[other] &&
+      if (mayBeOne[region] && mayBeOne[other] && !passage.isFront &&
           !isDoor(regions, passage.clearance, region, other, regions.options().corridorRatio,
                   regions.options().corridorDoor))
         regions.join(region, other);
@@ -69,7 +69,8 @@ class Chains {
   std::vector<std::uint32_t> find() && {
     for (const auto& [region, around] : regions_.neighbours()) {
       for (const auto& [other, passage] : around)
-        if (areLinked(region, other, passage.clearance)) chains_.join(region, other);
+        if (!passage.isFront && areLinked(region, other, passage.clearance))
+          chains_.join(region, other);
       // Between pilasters that are thick, and two equal pieces, a leftover belongs to neither.
       if (around.size() == 2 && regions_.elongation(region) < regions_.options().minElongation &&
           areLinked(around[0].first, around[1].first, narrower(around)))
@@ -157,7 +158,7 @@ class Pieces {
     for (const std::uint32_t e : regions_.edges()) {
       const VoronoiEdge& edge = regions_.voronoi().edges[e];
       const std::uint32_t a = regions_.find(edge.source), b = regions_.find(edge.target);
-      if (a == b) continue;
+      if (a == b || regions_.isFront(e)) continue;
       if (leadsOn(a, b, regions_.clearance(edge))) waysOn[a].push_back(direction(edge));
       if (leadsOn(b, a, regions_.clearance(edge))) waysOn[b].push_back(-1.0 * direction(edge));
     }
@@ -181,7 +182,7 @@ class Pieces {
     const VoronoiGraph& voronoi = regions_.voronoi();
     const Point sides = voronoi.obstacles[edge.right] - voronoi.obstacles[edge.left];
     const Point way = voronoi.vertices[edge.target].place - voronoi.vertices[edge.source].place;
-    const Point across{-sides.y, sides.x};
+    const Point across = toLeft(sides);
     return ((dot(across, way) < 0 ? -1 : 1) / norm(across)) * across;
   }
 

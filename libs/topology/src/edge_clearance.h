@@ -15,7 +15,7 @@ inline double edgeClearance(Point p, Point q, const VoronoiVertex& a, const Voro
 
 /** The same along the ray from `a` to infinity that has p on its left and q on its right. */
 inline double rayClearance(Point p, Point q, const VoronoiVertex& a) {
-  const Point ahead{p.y - q.y, q.x - p.x};
+  const Point ahead = toLeft(q - p);
   return dot(midpoint(p, q) - a.place, ahead) > 0 ? distance(p, q) / 2 : a.clearance;
 }
 

@@ -24,5 +24,6 @@ struct Point {
 [[nodiscard]] inline double norm(Point a) { return std::sqrt(squaredNorm(a)); }  ///< length
 [[nodiscard]] inline double distance(Point a, Point b) { return norm(b - a); }   ///< |b - a|
 [[nodiscard]] inline Point midpoint(Point a, Point b) { return 0.5 * (a + b); }  ///< between both
+[[nodiscard]] inline Point toLeft(Point a) { return {-a.y, a.x}; }  ///< a turned by 90 degrees
 
 }  // namespace roomgraph
