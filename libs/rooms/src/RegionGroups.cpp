@@ -4,6 +4,7 @@
 
 #include "goes_on.h"
 #include "roomgraph/base/containers.h"
+#include "roomgraph/geometry/Polyline.h"
 #include "roomgraph/topology/face_areas.h"
 
 namespace roomgraph {
@@ -46,6 +47,20 @@ double RegionGroups::elongation(std::uint32_t region) const {
   return area_[region] / (side * side);
 }
 
+bool RegionGroups::isLong(std::uint32_t region) const {
+  return elongation(region) > options_.maxElongation &&
+         2 * radius(region) <= options_.maxCorridorWidth;
+}
+
+bool RegionGroups::isFacing(const VoronoiEdge& edge) const {
+  return distance(voronoi_.obstacles[edge.left], voronoi_.obstacles[edge.right]) >=
+         kFacing * 2 * edge.minClearance;
+}
+
+bool RegionGroups::isFront(std::uint32_t edge) const {
+  return !fronts_.empty() && fronts_[edge] != CubicleEnd::none;
+}
+
 void RegionGroups::join(std::uint32_t a, std::uint32_t b) {
   a = find(a);
   b = find(b);
@@ -86,7 +101,7 @@ void RegionGroups::findOpeningsOffCorridors(const Grid& grid) {
 bool RegionGroups::isOpeningInWall(const VoronoiEdge& edge, const Grid& grid) const {
   if (clearance(edge) >= options_.corridorDoor / 2) return false;
   const Point left = voronoi_.obstacles[edge.left], right = voronoi_.obstacles[edge.right];
-  return distance(left, right) >= kFacing * 2 * edge.minClearance && isInWall(grid, left, right);
+  return isFacing(edge) && isInWall(grid, left, right);
 }
 
 bool RegionGroups::isOpeningOffCorridor(const VoronoiEdge& edge, const Grid& grid) const {
@@ -105,6 +120,13 @@ double RegionGroups::meanWidth(std::uint32_t region) const {
   return bounded > 0 ? 2 * std::max(0.0, widened_[region] / bounded - halfCell_) : 0;
 }
 
+Point RegionGroups::narrowest(const VoronoiEdge& edge) const {
+  const Point between = midpoint(voronoi_.obstacles[edge.left], voronoi_.obstacles[edge.right]);
+  return edge.isInfinite() ? between
+                           : nearestOnSegment(between, voronoi_.vertices[edge.source].place,
+                                              voronoi_.vertices[edge.target].place);
+}
+
 void RegionGroups::keepPassages() {
   const auto isInner = [&](std::uint32_t e) {
     return find(voronoi_.edges[e].source) == find(voronoi_.edges[e].target);
@@ -114,27 +136,33 @@ void RegionGroups::keepPassages() {
 
 RegionGroups::AllNeighbours RegionGroups::neighbours() {
   keepPassages();
-  std::vector<std::tuple<std::uint32_t, std::uint32_t, double, bool>> sides;
+  std::vector<std::tuple<std::uint32_t, std::uint32_t, double, bool, bool, bool>> sides;
   sides.reserve(2 * edges_.size());
   for (const std::uint32_t e : edges_) {
     const VoronoiEdge& edge = voronoi_.edges[e];
     const std::uint32_t a = find(edge.source), b = find(edge.target);
     const bool isOffCorridor = !isOffCorridor_.empty() && isOffCorridor_[e];
-    sides.push_back({a, b, clearance(edge), isOffCorridor});
-    sides.push_back({b, a, clearance(edge), isOffCorridor});
+    const CubicleEnd cubicle = fronts_.empty() ? CubicleEnd::none : fronts_[e];
+    const bool isFront = cubicle != CubicleEnd::none;
+    sides.push_back({a, b, clearance(edge), isOffCorridor, isFront, cubicle == CubicleEnd::source});
+    sides.push_back({b, a, clearance(edge), isOffCorridor, isFront, cubicle == CubicleEnd::target});
   }
   std::sort(sides.begin(), sides.end());
   AllNeighbours all;
-  for (const auto& [a, b, width, isOffCorridor] : sides) {
+  for (const auto& [a, b, width, isOffCorridor, isFront, isOwnFront] : sides) {
     if (all.empty() || all.back().first != a) all.push_back({a, {}});
     Neighbours& around = all.back().second;
     if (around.empty() || around.back().first != b) around.push_back({b, {}});
-    Passage& passage = around.back().second;
-    ++passage.count;
-    passage.second = passage.clearance;
-    passage.clearance = width, passage.isOffCorridor = isOffCorridor;  // the widest comes last
+    Passage& passage = around.back().second;  // the widest comes last
+    passage = {width, passage.clearance, passage.count + 1, isOffCorridor, isFront, isOwnFront};
   }
   return all;
+}
+
+bool isDoor(const RegionGroups& regions, double clearance, std::uint32_t a, std::uint32_t b,
+            double maxRatio, double maxWidth) {
+  const double narrower = std::min(regions.radius(a), regions.radius(b));
+  return clearance < maxRatio * narrower * (1 - kSameWidth) && clearance < maxWidth / 2;
 }
 
 }  // namespace roomgraph

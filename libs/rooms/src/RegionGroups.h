@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "roomgraph/base/UnionFind.h"
-#include "roomgraph/geometry/Polyline.h"
 #include "roomgraph/grid/Grid.h"
 #include "roomgraph/rooms/SplitAtDoorsOptions.h"
 #include "roomgraph/topology/VoronoiGraph.h"
@@ -25,6 +24,9 @@ constexpr double kLongerThanOthers = 1.5;
  *  wide: the cosine of a quarter of a right angle. */
 constexpr double kFacing = 0.924;
 
+/** Which end of an edge lies in a cubicle, if the edge leads through the front of one. */
+enum class CubicleEnd : std::uint8_t { none, source, target };
+
 /** The regions of the inside as they grow together. A region goes by its smallest vertex. */
 class RegionGroups {
  public:
@@ -34,6 +36,8 @@ class RegionGroups {
     double second = 0;     // of the next one; 0 where there is one only
     int count = 0;
     bool isOffCorridor = false;  // the widest, after findOpeningsOffCorridors
+    bool isFront = false;        // the same, after keepFronts
+    bool isOwnFront = false;     // and the region itself lies behind it
   };
   using Neighbours = std::vector<std::pair<std::uint32_t, Passage>>;        // by region
   using AllNeighbours = std::vector<std::pair<std::uint32_t, Neighbours>>;  // the same
@@ -63,10 +67,10 @@ class RegionGroups {
   double elongation(std::uint32_t region) const;
 
   /** Whether it is as long and as narrow as a corridor. After sumAreas(). */
-  bool isLong(std::uint32_t region) const {
-    return elongation(region) > options_.maxElongation &&
-           2 * radius(region) <= options_.maxCorridorWidth;
-  }
+  bool isLong(std::uint32_t region) const;
+
+  /** Whether the two obstacles of an edge face each other. */
+  bool isFacing(const VoronoiEdge& edge) const;
 
   /** Whether the narrowest place of an edge is an opening, no wider than a door, in a wall that
    *  goes on at both of its ends. */
@@ -82,6 +86,10 @@ class RegionGroups {
   /** The mean distance from its ways to the walls beside them, by the area there, twice [m]. A
    *  corridor is as wide as this, whatever opens into it. After sumWalls. */
   double meanWidth(std::uint32_t region) const;
+
+  /** Per edge of the diagram. What meets at a front stays apart, but for leftovers. */
+  void keepFronts(std::vector<CubicleEnd> fronts) { fronts_ = std::move(fronts); }
+  bool isFront(std::uint32_t edge) const;
 
   void join(std::uint32_t a, std::uint32_t b);
   void sumAreas();
@@ -119,12 +127,7 @@ class RegionGroups {
 
   /** Where two areas meet: at the narrowest place of an edge. What lies behind the two obstacles is
    *  another space. */
-  Point narrowest(const VoronoiEdge& edge) const {
-    const Point between = midpoint(voronoi_.obstacles[edge.left], voronoi_.obstacles[edge.right]);
-    return edge.isInfinite() ? between
-                             : nearestOnSegment(between, voronoi_.vertices[edge.source].place,
-                                                voronoi_.vertices[edge.target].place);
-  }
+  Point narrowest(const VoronoiEdge& edge) const;
 
   double halfCell_;
   SplitAtDoorsOptions options_;
@@ -137,13 +140,11 @@ class RegionGroups {
   std::vector<double> widened_;           // the former times the clearance there [m3]
   double meanWallShare_ = 1;
   std::vector<std::uint8_t> isOffCorridor_;  // per edge of the diagram
+  std::vector<CubicleEnd> fronts_;           // the same
 };
 
 /** Whether a passage is narrow beside both of its sides. */
-inline bool isDoor(const RegionGroups& regions, double clearance, std::uint32_t a, std::uint32_t b,
-                   double maxRatio, double maxWidth) {
-  const double narrower = std::min(regions.radius(a), regions.radius(b));
-  return clearance < maxRatio * narrower * (1 - kSameWidth) && clearance < maxWidth / 2;
-}
+bool isDoor(const RegionGroups& regions, double clearance, std::uint32_t a, std::uint32_t b,
+            double maxRatio, double maxWidth);
 
 }  // namespace roomgraph

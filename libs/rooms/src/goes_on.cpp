@@ -5,29 +5,47 @@
 namespace roomgraph {
 namespace {
 
-/** In steps of a cell, from the one beyond `end` on. */
-template <class Visit>
-bool isEveryPlaceBeyond(const Grid& grid, Point end, Point other, const Visit& visit) {
-  const double width = distance(end, other), step = grid.frame.resolution;
-  const Point out = (step / width) * (end - other);
-  for (int i = 1; i * step <= width / 2 * (1 + kSameWidth); ++i)
-    if (!visit(end + double(i) * out, Point{-out.y, out.x})) return false;
+/** One cell out of an opening, in line with it. */
+Point stepOut(const Grid& grid, Point end, Point other) {
+  return (grid.frame.resolution / distance(end, other)) * (end - other);
+}
+
+/** Half of an opening's width [cells]. */
+int halfWidth(const Grid& grid, Point end, Point other) {
+  return int(distance(end, other) / 2 / grid.frame.resolution * (1 + kSameWidth));
+}
+
+}  // namespace
+
+bool isNowhereFree(const Grid& grid, Point start, Point step, int count) {
+  for (int i = 1; i <= count; ++i)
+    if (grid.isFree(start + double(i) * step)) return false;
   return true;
 }
 
-/** Of what goes on, so that nothing there is free. */
+int freeRun(const Grid& grid, Point start, Point step) {
+  int count = 0;
+  while (grid.isFree(start + double(count + 1) * step)) ++count;
+  return count;
+}
+
+bool goesOn(const Grid& grid, Point end, Point other) {
+  return isNowhereFree(grid, end, stepOut(grid, end, other), halfWidth(grid, end, other));
+}
+
 bool isMostlyWall(const Grid& grid, Point end, Point other) {
   const auto isWall = [&](Point p) {
     return grid.atOrUnknown(grid.frame.cellAt(p)) == State::occupied;
   };
-  int places = 0, walls = 0;
-  Point last = end, across;  // of the wall
-  isEveryPlaceBeyond(grid, end, other, [&](Point p, Point aside) {
-    ++places, across = aside;
+  const Point out = stepOut(grid, end, other), across = toLeft(out);
+  const int places = halfWidth(grid, end, other);
+  int walls = 0;
+  Point last = end;
+  for (int i = 1; i <= places; ++i) {
+    const Point p = end + double(i) * out;
     if (isWall(p)) last = p;
-    walls += isWall(p) || isWall(p + aside) || isWall(p - aside) ? 1 : 0;
-    return true;
-  });
+    walls += isWall(p) || isWall(p + across) || isWall(p - across) ? 1 : 0;
+  }
   if (2 * walls < places) return false;
   const int most = 2 * places;  // as the places are those of half of the width
   int thickness = 0;
@@ -36,27 +54,13 @@ bool isMostlyWall(const Grid& grid, Point end, Point other) {
   return thickness < most;
 }
 
-/** How far it is free from a place on in a direction of one cell [cells]. */
-int freeRun(const Grid& grid, Point start, Point step) {
-  int count = 0;
-  while (grid.isFree(start + double(count + 1) * step)) ++count;
-  return count;
-}
-
-}  // namespace
-
-bool goesOn(const Grid& grid, Point end, Point other) {
-  return isEveryPlaceBeyond(grid, end, other, [&](Point p, Point) { return !grid.isFree(p); });
-}
-
 bool isInWall(const Grid& grid, Point from, Point to) {
   return goesOn(grid, from, to) && goesOn(grid, to, from) && isMostlyWall(grid, from, to) &&
          isMostlyWall(grid, to, from);
 }
 
 bool isInLongSide(const Grid& grid, Point from, Point to, double elongation) {
-  const Point along = (grid.frame.resolution / distance(from, to)) * (to - from);
-  const Point out{-along.y, along.x}, middle = midpoint(from, to);
+  const Point along = stepOut(grid, to, from), out = toLeft(along), middle = midpoint(from, to);
   const int depths[] = {freeRun(grid, middle, out), freeRun(grid, middle, -1 * out)};
   for (const int side : {0, 1}) {
     const Point inside = middle + (side == 0 ? 0.5 : -0.5) * double(depths[side]) * out;

@@ -6,14 +6,23 @@ namespace roomgraph {
 // Ours
 // In:   an opening, and the map without clutter
 // Out:  whether its wall goes on beside it, and whether it is in the side of a corridor
-// Next: splitAtDoors, passageEvidence
+// Next: findFronts, splitAtDoors, passageEvidence
+
+/** Whether none of so many places is free, from the next one on in steps. O(count). */
+bool isNowhereFree(const Grid& grid, Point start, Point step, int count);
+
+/** How many places in a row are free, from the next one on in steps. O(that). */
+int freeRun(const Grid& grid, Point start, Point step);
 
 /** Whether wall, or what nobody has seen, goes on beyond `end` in line with an opening that ends
  *  there, for half of the opening's width. O(width in cells). */
 bool goesOn(const Grid& grid, Point end, Point other);
 
-/** Whether this is so at both ends, and most of what goes on is wall, to a cell on either side, and
- *  no block: at the end of it thinner than the opening is wide. */
+/** Whether most of what lies there is wall, to a cell on either side, and no block: at the end of
+ *  it thinner than the opening is wide. O(width in cells). */
+bool isMostlyWall(const Grid& grid, Point end, Point other);
+
+/** Whether both are so at both ends. */
 bool isInWall(const Grid& grid, Point from, Point to);
 
 /** Whether an opening is in the side of a corridor: through its middle, and beside the wall half as

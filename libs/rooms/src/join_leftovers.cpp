@@ -10,10 +10,13 @@ using Neighbours = RegionGroups::Neighbours;
 /** Sums of areas that differ by less than this share are equal. */
 constexpr double kSameArea = 1e-6;
 
-bool isLeftover(const RegionGroups& regions, std::uint32_t region) {
-  // A door frame is wider than it is deep; the disc in a room leaves at most its corners over.
-  return regions.elongation(region) < regions.options().minElongation ||
-         regions.area(region) < regions.options().maxLeftoverArea;
+bool isLeftover(const RegionGroups& regions, std::uint32_t region, const Neighbours& around) {
+  if (regions.area(region) < regions.options().maxLeftoverArea) return true;
+  // A door frame is wider than it is deep; the disc in a room leaves at most its corners over. That
+  // in a cubicle may reach out of its front.
+  const auto isOwnFront = [](const auto& way) { return way.second.isOwnFront; };
+  return regions.elongation(region) < regions.options().minElongation &&
+         std::none_of(around.begin(), around.end(), isOwnFront);
 }
 
 bool isNarrow(const RegionGroups& regions, std::uint32_t region) {
@@ -47,19 +50,25 @@ bool isAlcove(const RegionGroups& regions, std::uint32_t region, const Neighbour
 bool isBay(const RegionGroups& regions, std::uint32_t region, const Neighbours& around) {
   if (isNarrow(regions, region) || regions.wallShare(region) < regions.options().minWallShare)
     return false;
+  const auto isFront = [](const auto& way) { return way.second.isFront; };
+  if (std::any_of(around.begin(), around.end(), isFront)) return false;
   const std::uint32_t room = openTo(regions, region, around);
   return room != Regions::kNone && !regions.isLong(room);
 }
 
-/** The neighbour behind the widest passage; of several as wide the largest. None where these are
- *  equal, too, for then only the map's pose could decide. */
+/** The neighbour behind the widest passage, which is a front only where all are; of several as wide
+ *  the largest. None where these are equal, too, for then only the map's pose could decide. */
 std::uint32_t hostOf(const RegionGroups& regions, const Neighbours& around) {
-  double widest = 0;
-  for (const auto& [other, passage] : around) widest = std::max(widest, passage.clearance);
+  const auto isWiderThan = [](const RegionGroups::Passage& p, const RegionGroups::Passage& q) {
+    return p.isFront != q.isFront ? q.isFront : p.clearance * (1 - kSameWidth) > q.clearance;
+  };
+  RegionGroups::Passage widest = around.front().second;
+  for (const auto& [other, passage] : around)
+    if (isWiderThan(passage, widest)) widest = passage;
   std::uint32_t host = Regions::kNone;
   bool isTie = false;
   for (const auto& [other, passage] : around) {
-    if (passage.clearance < widest * (1 - kSameWidth)) continue;
+    if (isWiderThan(widest, passage)) continue;
     const double area = regions.area(other), best = host == Regions::kNone ? 0 : regions.area(host);
     if (area > best * (1 + kSameArea)) {
       host = other;
@@ -89,7 +98,7 @@ bool joinAll(RegionGroups& regions, const IsOne& isOne) {
 
 void joinLeftovers(RegionGroups& regions) {
   const auto isSmall = [&](std::uint32_t region, const Neighbours& around) {
-    return isLeftover(regions, region) || isAlcove(regions, region, around);
+    return isLeftover(regions, region, around) || isAlcove(regions, region, around);
   };
   const auto isBayOf = [&](std::uint32_t region, const Neighbours& around) {
     return isBay(regions, region, around);
@@ -104,7 +113,7 @@ void joinDoorFrames(RegionGroups& regions, std::vector<RegionKind>& kinds) {
   const auto isRoom = [&](const auto& way) { return kinds[way.first] == RegionKind::room; };
   for (const auto& [region, around] : regions.neighbours()) {
     if (around.size() != 2 || !std::all_of(around.begin(), around.end(), isRoom)) continue;
-    if (!isLeftover(regions, region)) continue;
+    if (!isLeftover(regions, region, around)) continue;
     kinds[region] = RegionKind::room;
     regions.join(region, around.front().first);
   }

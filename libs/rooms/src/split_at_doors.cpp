@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "RegionGroups.h"
+#include "find_fronts.h"
 #include "find_halls.h"
 #include "follow_corridors.h"
 #include "join_leftovers.h"
@@ -48,7 +49,8 @@ class PassageJoiner {
       clearance_ = regions_.clearance(edge);
       // By the passage, not by the narrower region: that may have grown to here from the far side.
       const double least = regions_.options().narrowRatio * regions_.radius(b) * (1 - kSameWidth);
-      if (clearance_ >= least && !isDoorBetween(a, b) && !isDoorInWall(edge, a, b))
+      if (clearance_ >= least && !regions_.isFront(e) && !isDoorBetween(a, b) &&
+          !isDoorInWall(edge, a, b))
         pairs_.push_back({a, b, regions_.radius(b)});
       return false;
     };
@@ -175,6 +177,7 @@ Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
   const InsideFlags isClear = clearInside(voronoi, isInside, minClearance);
   const double halfCell = grid.frame.resolution / 2;
   RegionGroups regions(voronoi, isClear, minClearance, halfCell, options);
+  regions.keepFronts(findFronts(regions, grid));
   joinOpenPassages(regions, grid);
   regions.sumAreas();
   regions.sumWalls(isWall);
