@@ -57,6 +57,12 @@ bool RegionGroups::isFacing(const VoronoiEdge& edge) const {
          kFacing * 2 * edge.minClearance;
 }
 
+Point RegionGroups::across(const VoronoiEdge& edge) const {
+  const Point across = toLeft(voronoi_.obstacles[edge.right] - voronoi_.obstacles[edge.left]);
+  const Point way = voronoi_.vertices[edge.target].place - voronoi_.vertices[edge.source].place;
+  return ((dot(across, way) < 0 ? -1 : 1) / norm(across)) * across;
+}
+
 bool RegionGroups::isFront(std::uint32_t edge) const {
   return !fronts_.empty() && fronts_[edge] != CubicleEnd::none;
 }

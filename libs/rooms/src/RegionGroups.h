@@ -68,10 +68,10 @@ class RegionGroups {
 
   /** Whether it is as long and as narrow as a corridor. After sumAreas(). */
   bool isLong(std::uint32_t region) const;
-
   /** Whether the two obstacles of an edge face each other. */
   bool isFacing(const VoronoiEdge& edge) const;
-
+  /** A unit vector at right angles to these, from the source of an edge to its target. */
+  Point across(const VoronoiEdge& edge) const;
   /** Whether the narrowest place of an edge is an opening, no wider than a door, in a wall that
    *  goes on at both of its ends. */
   bool isOpeningInWall(const VoronoiEdge& edge, const Grid& grid) const;

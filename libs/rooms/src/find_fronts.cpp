@@ -45,13 +45,14 @@ std::optional<Beside> wallBeside(const Grid& grid, const End& end, Point other, 
   for (int i = 0; i <= half; ++i) {
     const Point place = end.place + double(i) * end.away, before = place - depth * end.inward;
     if (i > 0 && grid.isFree(place)) return std::nullopt;
-    const bool goesOff = isNowhereFree(grid, place, end.inward, half);
     const bool isOpen = grid.isFree(before);
-    if (goesOff && i >= depth) return Beside{i, isOpen};
+    if (!isOpen && i < depth) return std::nullopt;
+    if (isNowhereFree(grid, place, end.inward, half)) {
+      // A straight wall beside the opening is no corner, even where the opening meets it askew.
+      const bool isCorner = i > 0 || freeRun(grid, before, end.away) >= depth / 2;
+      return isCorner ? std::optional(Beside{i, isOpen}) : std::nullopt;
+    }
     if (!isOpen) return std::nullopt;
-    // A straight wall beside the opening is no corner, even where the opening meets it askew.
-    if (goesOff && i == 0 && freeRun(grid, before, end.away) < depth / 2) return std::nullopt;
-    if (goesOff) return Beside{i, true};
   }
   return isMostlyWall(grid, end.place, other) ? std::optional(Beside{half, true}) : std::nullopt;
 }
@@ -120,11 +121,10 @@ bool areNear(const Front& a, const Front& b) {
          (distance(a.from, b.to) <= near && distance(a.to, b.from) <= near);
 }
 
-CubicleEnd cubicleEnd(const VoronoiGraph& voronoi, const VoronoiEdge& edge, const Grid& grid) {
+CubicleEnd cubicleEnd(const RegionGroups& regions, const VoronoiEdge& edge, const Grid& grid) {
+  const VoronoiGraph& voronoi = regions.voronoi();
   const Point from = voronoi.obstacles[edge.left], to = voronoi.obstacles[edge.right];
-  const Point across = grid.frame.resolution / distance(from, to) * toLeft(to - from);
-  const Point way = voronoi.vertices[edge.target].place - voronoi.vertices[edge.source].place;
-  const Point onward = dot(across, way) > 0 ? across : -1 * across;
+  const Point onward = grid.frame.resolution * regions.across(edge);
   return isFront(grid, from, to, onward)        ? CubicleEnd::target
          : isFront(grid, from, to, -1 * onward) ? CubicleEnd::source
                                                 : CubicleEnd::none;
@@ -139,7 +139,7 @@ std::vector<Front> allFronts(const RegionGroups& regions, const Grid& grid) {
     if (2 * regions.clearance(edge) < regions.options().corridorDoor) break;
     if (!regions.isFacing(edge)) continue;
     const Point from = voronoi.obstacles[edge.left], to = voronoi.obstacles[edge.right];
-    const CubicleEnd side = cubicleEnd(voronoi, edge, grid);
+    const CubicleEnd side = cubicleEnd(regions, edge, grid);
     if (side != CubicleEnd::none) fronts.push_back({e, side, from, to, distance(from, to)});
   }
   return fronts;

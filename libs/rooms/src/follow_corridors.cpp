@@ -159,8 +159,9 @@ class Pieces {
       const VoronoiEdge& edge = regions_.voronoi().edges[e];
       const std::uint32_t a = regions_.find(edge.source), b = regions_.find(edge.target);
       if (a == b || regions_.isFront(e)) continue;
-      if (leadsOn(a, b, regions_.clearance(edge))) waysOn[a].push_back(direction(edge));
-      if (leadsOn(b, a, regions_.clearance(edge))) waysOn[b].push_back(-1.0 * direction(edge));
+      if (leadsOn(a, b, regions_.clearance(edge))) waysOn[a].push_back(regions_.across(edge));
+      if (leadsOn(b, a, regions_.clearance(edge)))
+        waysOn[b].push_back(-1.0 * regions_.across(edge));
     }
     return waysOn;
   }
@@ -175,15 +176,6 @@ class Pieces {
            width * (1 + kSameWidth) <
                std::sqrt(2.0) * std::max(regions_.meanWidth(other), isLong ? 2 * clearance : 0) &&
            2 * clearance >= regions_.options().narrowRatio * width * (1 - kSameWidth);
-  }
-
-  /** Across the passage, from the source's region to the target's. */
-  Point direction(const VoronoiEdge& edge) const {
-    const VoronoiGraph& voronoi = regions_.voronoi();
-    const Point sides = voronoi.obstacles[edge.right] - voronoi.obstacles[edge.left];
-    const Point way = voronoi.vertices[edge.target].place - voronoi.vertices[edge.source].place;
-    const Point across = toLeft(sides);
-    return ((dot(across, way) < 0 ? -1 : 1) / norm(across)) * across;
   }
 
   RegionGroups& regions_;
