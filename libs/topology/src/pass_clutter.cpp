@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -146,14 +147,57 @@ class ClutterPasser {
   Faces faces_;
 };
 
+/** The middle of the part of an edge that leads on from both of its ends [m]. */
+std::optional<double> leadingOn(const TopologyGraph& graph, const Edge& edge,
+                                const LeadsOn& leadsOn) {
+  std::optional<double> first;
+  double along = 0, last = 0;
+  for (std::size_t i = 1; i + 1 < edge.path.points.size(); ++i) {
+    along += distance(edge.path.points[i - 1], edge.path.points[i]);
+    const Vertex place{edge.path.points[i], clearanceAt(edge.path, along), {}, {}};
+    if (!leadsOn(place, graph.vertex(edge.source)) || !leadsOn(place, graph.vertex(edge.target)))
+      continue;
+    if (!first) first = along;
+    last = along;
+  }
+  if (first) *first = (*first + last) / 2;
+  return first;
+}
+
+/** A way that enters a region on one side of a piece of clutter, and leaves it on the other, is two
+ *  ways into it: so one of them can go without the other. Splits edges that are not kept; returns
+ *  whether there was one to split. */
+bool splitInRegions(TopologyGraph& graph, const std::vector<bool>& isKept, const LeadsOn& leadsOn) {
+  std::vector<Vertex> vertices;
+  std::vector<Edge> edges;
+  for (std::size_t e = 0; e < isKept.size(); ++e) {
+    if (isKept[e]) continue;
+    const std::optional<double> at = leadingOn(graph, graph.edges()[e], leadsOn);
+    if (!at) continue;
+    if (edges.empty()) vertices = graph.vertices(), edges = graph.edges();
+    const Path whole = std::move(edges[e].path);
+    const VertexId middle(vertices.size()), target = edges[e].target;
+    vertices.push_back({placeOn(whole, *at), clearanceAt(whole, *at), VertexKind::junction, {}});
+    edges[e] = {edges[e].source, middle, piece(whole, 0, *at), {}};
+    edges.push_back({middle, target, piece(whole, *at, whole.length), {}});
+  }
+  if (edges.empty()) return false;
+  graph = {std::move(vertices), std::move(edges)};
+  return true;
+}
+
 }  // namespace
 
 TopologyGraph passClutter(TopologyGraph graph, const PlaceTest& isClutter,
                           const ObstacleRows& walls, const DeadEndsOptions& options,
                           const LeadsOn& leadsOn) {
   for (;;) {
-    const std::vector<bool> keepEdge = ClutterPasser(graph, isClutter).keptEdges();
+    std::vector<bool> keepEdge = ClutterPasser(graph, isClutter).keptEdges();
     if (!contains(keepEdge, false)) return graph;
+    if (splitInRegions(graph, keepEdge, leadsOn)) {
+      keepEdge = ClutterPasser(graph, isClutter).keptEdges();
+      if (!contains(keepEdge, false)) return dissolveThrough(std::move(graph));
+    }
     const std::vector<bool> keepVertex(graph.vertices().size(), true);
     graph = dissolveThrough(keepOnly(std::move(graph), keepVertex, keepEdge));
     graph = removeEndsAmongClutter(std::move(graph), options, walls, leadsOn);
