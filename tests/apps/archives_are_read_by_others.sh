@@ -30,7 +30,7 @@ sqlite3 shelf/a.db "PRAGMA journal_mode=WAL; PRAGMA wal_autocheckpoint=0; UPDATE
 grep -q walter seen || { cat seen; fail "what is in the log is not read"; }
 
 : > empty.db
-for what in list rooms 'report --fail-on-alarm' export; do
+for what in list rooms 'report --fail-on-alarm' export 'add a.pgm --resolution 0.05'; do
   # shellcheck disable=SC2086
   expect 1 "$roomgraph" archive empty.db $what
   one_line err "empty.db: is empty"

@@ -53,15 +53,25 @@ TEST(Database, aNameWithAMeaningForSqliteIsAFile) {
   std::filesystem::current_path(before);
 }
 
-TEST(Database, anEmptyFileIsNoArchiveUnlessOneMayBeMade) {
+TEST(Database, anEmptyFileIsNoArchive) {
   const TestFolder folder;
   const std::string file = folder / "a.db";
   std::ofstream(file).close();
-  EXPECT_EQ(
-      test::refusalOf([&] { Database(file, false); }),
-      file + ": is empty: it may have been lost in a crash or a copy: bring back a copy of it");
+  for (const bool mayMake : {false, true})
+    EXPECT_EQ(test::refusalOf([&] { Database(file, mayMake); }),
+              file +
+                  ": is empty: it may have been lost in a crash or a copy: bring back a copy of "
+                  "it, or delete it to begin a new one");
   EXPECT_EQ(std::filesystem::file_size(file), 0u);
+}
+
+TEST(Database, onesThatNothingWasWrittenToLeaveNoFile) {
+  const TestFolder folder;
+  const std::string file = folder / "a.db";
+  Database(file, true).run("PRAGMA user_version");
+  EXPECT_FALSE(std::filesystem::exists(file));
   Database(file, true).run("CREATE TABLE t (a INTEGER)");
+  EXPECT_GT(std::filesystem::file_size(file), 0u);
 }
 
 TEST(Database, failuresAreOneLineWithFileAndRemedy) {

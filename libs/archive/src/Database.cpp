@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include "roomgraph/base/Error.h"
 
@@ -92,6 +94,14 @@ bool isSound(sqlite3* handle) {
          answer == "ok";
 }
 
+/** Whether a file has no bytes; where it may be made, another program may just be making it. */
+bool staysEmpty(const std::string& path, bool mayMake) {
+  constexpr int kLooks = 20;
+  for (int i = 1; mayMake && i < kLooks && sizeOf(path) == 0; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  return sizeOf(path) == 0;
+}
+
 }  // namespace
 
 Database::Database(const std::string& file, bool mayMake) : file_(file) {
@@ -106,8 +116,10 @@ Database::Database(const std::string& file, bool mayMake) : file_(file) {
     refuse(file, "cannot be opened (" + error.message() + ")", remedyOf(SQLITE_CANTOPEN));
   if (exists && kind != std::filesystem::file_type::regular)
     refuse(file, "is not a regular file", remedyOf(SQLITE_NOTADB));
-  if (!mayMake && std::filesystem::file_size(path) == 0)
-    refuse(file, "is empty: it may have been lost in a crash or a copy", remedyOf(SQLITE_CORRUPT));
+  if (exists && staysEmpty(path, mayMake))
+    refuse(file, "is empty: it may have been lost in a crash or a copy",
+           "bring back a copy of it, or delete it to begin a new one");
+  isNew_ = !exists;
   const std::string log = path + "-wal";
   if (exists && !mayBeWritten(path)) {
     openToRead(path, std::filesystem::exists(log));
@@ -135,7 +147,12 @@ void Database::openToRead(const std::string& path, bool hasLog) {
   open(readOnlyUri(path, hasLog), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
 }
 
-Database::~Database() { sqlite3_close(handle_); }
+Database::~Database() {
+  sqlite3_close(handle_);
+  // On a full disk nothing was made: it is to be made by the next call.
+  std::error_code ignored;
+  if (isNew_ && sizeOf(file_) == 0) std::filesystem::remove(file_, ignored);
+}
 
 void Database::fail() const {
   const int code = sqlite3_errcode(handle_) & 0xff;

@@ -12,7 +12,7 @@ namespace roomgraph {
 class Database {
  public:
   /** A file that may not be written, or on a full disk, is opened to be read.
-   *  @throws DataError where the file is not there, or empty, unless it may be made. */
+   *  @throws DataError where the file is empty, or not there, unless it may be made. */
   Database(const std::string& file, bool mayMake);
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
@@ -41,7 +41,7 @@ class Database {
 
   std::string file_;
   sqlite3* handle_ = nullptr;
-  bool isReadOnly_ = false, isFull_ = false;
+  bool isReadOnly_ = false, isFull_ = false, isNew_ = false;
 };
 
 /** One SQL statement with its values. */
