@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <thread>
 
 #include "HelpFormatter.h"
@@ -123,10 +125,27 @@ void finishResultsBeforeEnding() {
   }).detach();
 }
 
+/** Before main only libraries that are being started end the program: with too little memory. */
+[[noreturn]] void endWithoutMemory() {
+  std::fputs("roomgraph: not enough memory to start: raise the limit (ulimit -v)\n", stderr);
+  std::_Exit(kBadData);
+}
+
+std::terminate_handler usualEnd = nullptr;
+
+/** Sanitizers are not there yet. */
+[[gnu::no_sanitize("address", "thread", "undefined")]] void endAsWeSay() {
+  usualEnd = std::set_terminate(endWithoutMemory);
+}
+
+/** Called before the libraries start. */
+[[gnu::used, gnu::section(".preinit_array")]] void (*const kBeforeAll)() = endAsWeSay;
+
 }  // namespace
 }  // namespace roomgraph
 
 int main(int count, char** arguments) {
+  std::set_terminate(roomgraph::usualEnd);
   try {
     roomgraph::finishResultsBeforeEnding();
     const int exitCode = roomgraph::run(count, arguments);

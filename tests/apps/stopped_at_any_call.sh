@@ -56,7 +56,7 @@ done
 # A larger map, which does not fit into what is enough to start.
 { printf 'P5\n3000 2000\n255\n'; head -c 6000000 /dev/zero | tr '\000' '\377'; } > large.pgm
 short=0 whole=0
-for megabytes in 60 100 150 200 250 275 300 325 350 375 400 450 500 2000; do
+for megabytes in 60 100 150 200 244 250 275 300 325 350 375 400 450 500 2000; do
   code=0
   (ulimit -v $((megabytes * 1024)) &&
     "$roomgraph" extract large.pgm --resolution 0.05 --format json -q -o memory > out 2> err) || code=$?
