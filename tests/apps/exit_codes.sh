@@ -79,6 +79,10 @@ printf 'VERTEX_SE2 0 0 0 0\n' > site.g2o
 opened_by site.g2o g2o_viewer
 printf '<?xml version="1.0"?>\n<testsuites tests="1">\n' > junit.xml
 opened_by junit.xml JUnit
+printf '## The gate passes: a\n\n' > s.md
+opened_by s.md "the summary of a gate" editor
+printf '## 2 maps compared\n\n' > t.md
+opened_by t.md "a summary of a comparison" editor
 printf 'version = "1.7.0"\n\n[maps."a.yaml"]\n' > comparison.maps.toml
 opened_by comparison.maps.toml "with 'maps'"
 printf 'translation:\n  x: 0\nroot_frame: site\n' > a.pose.yaml

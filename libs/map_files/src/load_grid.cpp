@@ -56,6 +56,8 @@ constexpr OtherFile kOtherFiles[] = {
     {"<!DOCTYPE html", "is a page, and no map", "open it in a browser"},
     {"<svg ", "is a drawing, and no map", "open it in a browser, or give the map that it is of"},
     {"<testsuites", "is the verdict of a gate, and no map", "give it to a CI system as JUnit's"},
+    {"## The gate ", "is the summary of a gate, and no map", "open it with an editor"},
+    {" maps compared\n", "is a summary of a comparison, and no map", "open it with an editor"},
     {"VERTEX_SE2 ", "is a graph of poses, and no map", "open it with g2o_viewer"},
     {"[maps.\"", "is a session of the viewer 'maps', and no map", "open it with 'maps'"},
     {"root_frame: ", "tells where a map lies in its site, and is none", "give the map beside it"},

@@ -115,7 +115,7 @@ std::string pageData(const Comparison& comparison, const std::vector<Run>& runs)
   const double pixel = pixelFor(site, known, placed.size() > 20 ? 1200 : 2500);
   // Of free space, so that what all runs share is not too dark.
   const auto faint =
-      std::uint8_t(std::clamp<std::size_t>(90 / std::max<std::size_t>(1, placed.size()), 8, 30));
+      std::uint8_t(std::clamp<std::size_t>(120 / std::max<std::size_t>(1, placed.size()), 8, 45));
   Json runsJson = Json::array();
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const SitePicture picture =
