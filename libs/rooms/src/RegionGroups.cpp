@@ -52,6 +52,10 @@ bool RegionGroups::isLong(std::uint32_t region) const {
          2 * radius(region) <= options_.maxCorridorWidth;
 }
 
+bool RegionGroups::isNarrow(std::uint32_t region) const {
+  return 2 * radius(region) < options_.openRoomWidth * (1 - kSameWidth);
+}
+
 bool RegionGroups::isFacing(const VoronoiEdge& edge) const {
   return distance(voronoi_.obstacles[edge.left], voronoi_.obstacles[edge.right]) >=
          kFacing * 2 * edge.minClearance;

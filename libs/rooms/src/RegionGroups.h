@@ -68,6 +68,8 @@ class RegionGroups {
 
   /** Whether it is as long and as narrow as a corridor. After sumAreas(). */
   bool isLong(std::uint32_t region) const;
+  /** Whether it is too narrow for a room with a way out that is no door. */
+  bool isNarrow(std::uint32_t region) const;
   /** Whether the two obstacles of an edge face each other. */
   bool isFacing(const VoronoiEdge& edge) const;
   /** A unit vector at right angles to these, from the source of an edge to its target. */
@@ -75,14 +77,12 @@ class RegionGroups {
   /** Whether the narrowest place of an edge is an opening, no wider than a door, in a wall that
    *  goes on at both of its ends. */
   bool isOpeningInWall(const VoronoiEdge& edge, const Grid& grid) const;
-
   /** The same in the side of a corridor. That may be as wide as what lies behind it, as a closet,
    *  or a room of which a beam has seen no more. */
   bool isOpeningOffCorridor(const VoronoiEdge& edge, const Grid& grid) const;
 
   /** How much of its area is nearest to walls, beside the mean where walls are. After sumWalls. */
   double wallShare(std::uint32_t region) const;
-
   /** The mean distance from its ways to the walls beside them, by the area there, twice [m]. A
    *  corridor is as wide as this, whatever opens into it. After sumWalls. */
   double meanWidth(std::uint32_t region) const;

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "goes_on.h"
 #include "join_leftovers.h"
 #include "roomgraph/base/containers.h"
 
@@ -16,7 +17,19 @@ namespace {
  *  half turn from each other: its cosine. */
 constexpr double kSameSide = 0.5;
 
-using WaysOn = std::map<std::uint32_t, std::vector<Point>>;  // by region, unit vectors out of it
+/** Those of a region that may lead on along a corridor. */
+struct Ways {
+  std::vector<Point> directions, besidesDoors;  // unit vectors out of it; but through doors
+  bool areNarrow = true;                        // all of them part even pieces of corridor
+};
+using WaysOn = std::map<std::uint32_t, Ways>;  // by region
+
+/** Two pieces of corridor have a door between them. */
+bool isDoorOfPieces(const RegionGroups& regions, double clearance, std::uint32_t a,
+                    std::uint32_t b) {
+  return isDoor(regions, clearance, a, b, regions.options().corridorRatio,
+                regions.options().corridorDoor);
+}
 
 /** A corridor is narrower at doors that open into it: those do not part it. What has no other way
  *  out than an opening in its side is no piece of it. */
@@ -29,8 +42,7 @@ void joinPieces(RegionGroups& regions, const std::vector<RegionKind>& kinds) {
   for (const auto& [region, around] : all)
     for (const auto& [other, passage] : around)
       if (mayBeOne[region] && mayBeOne[other] && !passage.isFront &&
-          !isDoor(regions, passage.clearance, region, other, regions.options().corridorRatio,
-                  regions.options().corridorDoor))
+          !isDoorOfPieces(regions, passage.clearance, region, other))
         regions.join(region, other);
 }
 
@@ -128,9 +140,10 @@ bool leadOnTwoSides(const std::vector<Point>& waysOn) {
 /** Rooms that may be pieces of corridor, until what they lead to is known to be none. */
 class Pieces {
  public:
-  Pieces(RegionGroups& regions, const std::vector<RegionKind>& kinds)
+  Pieces(RegionGroups& regions, const std::vector<RegionKind>& kinds, const Grid& grid)
       : regions_(regions),
         kinds_(kinds),
+        grid_(grid),
         found_(narrowRooms(regions, kinds)),
         mayBe_(kinds.size()) {
     for (const std::uint32_t v : found_) mayBe_[v] = 1;
@@ -145,7 +158,11 @@ class Pieces {
  private:
   bool dropOthers() {
     WaysOn waysOn = allWaysOn();
-    const auto isOther = [&](std::uint32_t region) { return !leadOnTwoSides(waysOn[region]); };
+    const auto isOther = [&](std::uint32_t region) {
+      const Ways& ways = waysOn[region];
+      const bool isClosed = ways.areNarrow && !regions_.isNarrow(region);
+      return !leadOnTwoSides(isClosed ? ways.besidesDoors : ways.directions);
+    };
     const auto others = std::stable_partition(found_.begin(), found_.end(), std::not_fn(isOther));
     for (auto it = others; it != found_.end(); ++it) mayBe_[*it] = 0;
     const bool isAny = others != found_.end();
@@ -159,11 +176,25 @@ class Pieces {
       const VoronoiEdge& edge = regions_.voronoi().edges[e];
       const std::uint32_t a = regions_.find(edge.source), b = regions_.find(edge.target);
       if (a == b || regions_.isFront(e)) continue;
-      if (leadsOn(a, b, regions_.clearance(edge))) waysOn[a].push_back(regions_.across(edge));
-      if (leadsOn(b, a, regions_.clearance(edge)))
-        waysOn[b].push_back(-1.0 * regions_.across(edge));
+      const Point across = regions_.across(edge);
+      if (leadsOn(a, b, regions_.clearance(edge))) add(edge, across, waysOn[a]);
+      if (leadsOn(b, a, regions_.clearance(edge))) add(edge, -1.0 * across, waysOn[b]);
     }
     return waysOn;
+  }
+
+  void add(const VoronoiEdge& edge, Point direction, Ways& ways) const {
+    const std::uint32_t a = regions_.find(edge.source), b = regions_.find(edge.target);
+    ways.directions.push_back(direction);
+    if (!isDoorOfRoom(edge)) ways.besidesDoors.push_back(direction);
+    ways.areNarrow = ways.areNarrow && isDoorOfPieces(regions_, regions_.clearance(edge), a, b);
+  }
+
+  /** In a wall, and not across a corridor. */
+  bool isDoorOfRoom(const VoronoiEdge& edge) const {
+    const std::vector<Point>& obstacles = regions_.voronoi().obstacles;
+    return regions_.isOpeningInWall(edge, grid_) &&
+           !isAcrossOneWidth(grid_, obstacles[edge.left], obstacles[edge.right]);
   }
 
   /** A lobby stands out: it is wider than where two corridors cross at right angles, a square. By
@@ -180,18 +211,19 @@ class Pieces {
 
   RegionGroups& regions_;
   const std::vector<RegionKind>& kinds_;
+  const Grid& grid_;
   std::vector<std::uint32_t> found_;
   std::vector<std::uint8_t> mayBe_;  // per region
 };
 
 }  // namespace
 
-void followCorridors(RegionGroups& regions, std::vector<RegionKind>& kinds) {
+void followCorridors(RegionGroups& regions, std::vector<RegionKind>& kinds, const Grid& grid) {
   for (const std::uint32_t region : Chains(regions, kinds).find())
     kinds[region] = RegionKind::corridor;
   joinPieces(regions, kinds);
   for (;;) {
-    const std::vector<std::uint32_t> found = Pieces(regions, kinds).find();
+    const std::vector<std::uint32_t> found = Pieces(regions, kinds, grid).find();
     if (found.empty()) return;
     for (const std::uint32_t region : found) kinds[region] = RegionKind::corridor;
     joinPieces(regions, kinds);

@@ -1,5 +1,8 @@
 #include "goes_on.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "RegionGroups.h"
 
 namespace roomgraph {
@@ -68,6 +71,20 @@ bool isInLongSide(const Grid& grid, Point from, Point to, double elongation) {
     if (length > elongation * depths[side] && length > depths[1 - side]) return true;
   }
   return false;
+}
+
+bool isAcrossOneWidth(const Grid& grid, Point from, Point to) {
+  const Point along = stepOut(grid, to, from), middle = midpoint(from, to);
+  const Point out = double(halfWidth(grid, to, from)) * toLeft(along);
+  const auto lengthAt = [&](Point p) {
+    return 1 + freeRun(grid, p, along) + freeRun(grid, p, -1 * along);
+  };
+  // Twice, as there may be another opening in a wall that goes off.
+  const auto width = [&](double side) {
+    return std::min(lengthAt(middle + side * out), lengthAt(middle + 2 * side * out));
+  };
+  const auto [least, most] = std::minmax({width(1), width(-1)});
+  return most <= std::sqrt(2.0) * least;
 }
 
 }  // namespace roomgraph

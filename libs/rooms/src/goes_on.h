@@ -30,4 +30,8 @@ bool isInWall(const Grid& grid, Point from, Point to);
  *  that on the other is deep. O(length in cells). */
 bool isInLongSide(const Grid& grid, Point from, Point to, double elongation);
 
+/** Whether what lies on both sides of an opening is about as wide, there, as a corridor is on both
+ *  sides of a door in it. O(length in cells). */
+bool isAcrossOneWidth(const Grid& grid, Point from, Point to);
+
 }  // namespace roomgraph

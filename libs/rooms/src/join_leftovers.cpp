@@ -19,10 +19,6 @@ bool isLeftover(const RegionGroups& regions, std::uint32_t region, const Neighbo
          std::none_of(around.begin(), around.end(), isOwnFront);
 }
 
-bool isNarrow(const RegionGroups& regions, std::uint32_t region) {
-  return 2 * regions.radius(region) < regions.options().openRoomWidth * (1 - kSameWidth);
-}
-
 /** The one wider neighbour that a region opens into with nearly its whole width; none where there
  *  are several, or where it is long. What comes back to it is short. */
 std::uint32_t openTo(const RegionGroups& regions, std::uint32_t region, const Neighbours& around) {
@@ -41,14 +37,14 @@ std::uint32_t openTo(const RegionGroups& regions, std::uint32_t region, const Ne
 /** A narrow region that opens into one other and nowhere else, and does not lie off a corridor:
  *  the space between a bed and the wall, a niche, the way round a table. */
 bool isAlcove(const RegionGroups& regions, std::uint32_t region, const Neighbours& around) {
-  return around.size() == 1 && !around[0].second.isOffCorridor && isNarrow(regions, region) &&
+  return around.size() == 1 && !around[0].second.isOffCorridor && regions.isNarrow(region) &&
          openTo(regions, region, around) != Regions::kNone;
 }
 
 /** A wider one that opens into a room; all other ways out of it are doors. What opens into a
  *  corridor is a room, and a fan of beams stays apart. */
 bool isBay(const RegionGroups& regions, std::uint32_t region, const Neighbours& around) {
-  if (isNarrow(regions, region) || regions.wallShare(region) < regions.options().minWallShare)
+  if (regions.isNarrow(region) || regions.wallShare(region) < regions.options().minWallShare)
     return false;
   const auto isFront = [](const auto& way) { return way.second.isFront; };
   if (std::any_of(around.begin(), around.end(), isFront)) return false;

@@ -143,7 +143,7 @@ bool isCorridor(const RegionGroups& regions, std::uint32_t region, const Neighbo
   const Neighbours exits = seenOnes(regions, around);
   const bool isClosed =
       isSeenEnough(regions, region, exits) && isBehindDoors(regions, region, around, exits);
-  if (width < regions.options().openRoomWidth && !isClosed) return true;
+  if (regions.isNarrow(region) && !isClosed) return true;
   if (regions.elongation(region) < regions.options().minElongation) return true;
   if (isWayThrough(regions, region, exits)) return true;
   int count = 0;

@@ -184,7 +184,7 @@ Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
   regions.findOpeningsOffCorridors(grid);
   joinLeftovers(regions);
   std::vector<RegionKind> kinds = regionKinds(regions, ownWidths(regions, isWall));
-  followCorridors(regions, kinds);
+  followCorridors(regions, kinds, grid);
   joinDoorFrames(regions, kinds);
   // A joined region goes by the smallest of its parts, all of which are alike.
   const auto kindOf = [&](std::uint32_t v) { return kinds[v]; };
