@@ -3,7 +3,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr int kWidestRim = 2;  // [cells]
 constexpr Cell kDirections[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
 
 /** How many unknown cells stand between a free cell and an occupied one in a direction, up to

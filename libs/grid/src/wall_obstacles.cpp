@@ -5,11 +5,11 @@
 #include <cstring>
 
 #include "next_flag.h"
+#include "roomgraph/grid/clear_wall_rims.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr int kRim = 2;  // cells
 /** Drawings have 0 to 0.015 of them, maps of robots 0.15 to 0.7. */
 constexpr double kLeastBeams = 0.05;
 
@@ -22,11 +22,11 @@ class SeenEdge {
 
   bool isNearWall(Cell cell) const {
     if (grid_.atOrUnknown(cell) == State::occupied) return true;
-    const int left = std::max(cell.x - kRim, 0);
-    const int right = std::min(cell.x + kRim, grid_.frame.width - 1);
+    const int left = std::max(cell.x - kWidestRim, 0);
+    const int right = std::min(cell.x + kWidestRim, grid_.frame.width - 1);
     const std::size_t count = std::size_t(right) + 1 - std::size_t(left);
-    const int top = std::min(cell.y + kRim, grid_.frame.height - 1);
-    for (int y = std::max(cell.y - kRim, 0); y <= top; ++y) {
+    const int top = std::min(cell.y + kWidestRim, grid_.frame.height - 1);
+    for (int y = std::max(cell.y - kWidestRim, 0); y <= top; ++y) {
       const State* row = grid_.cells.data() + grid_.frame.index({0, y});
       if (std::memchr(row + left, int(State::occupied), count)) return true;
     }

@@ -13,9 +13,6 @@
 
 namespace roomgraph {
 
-/** Widths that differ by less than this share are equal: rounding must not decide. */
-constexpr double kSameWidth = 1e-9;
-
 /** A room behind one door may be this much longer than others before it is a corridor, and rooms in
  *  a row together this much longer than one. */
 constexpr double kLongerThanOthers = 1.5;

@@ -3,13 +3,6 @@
 #include <algorithm>
 
 namespace roomgraph {
-namespace {
-
-/** Cells make passages of just the least width common, and their places round: that must not close
- *  some of them, and in a turned map others. */
-constexpr double kClearanceRounding = 1e-9;
-
-}  // namespace
 
 void describe(KeepClearOptions& options, FieldTable& table) {
   table.number(
@@ -18,7 +11,7 @@ void describe(KeepClearOptions& options, FieldTable& table) {
 }
 
 double effectiveClearance(const KeepClearOptions& options, double resolution) {
-  return std::max(options.minClearance, 0.75 * resolution) * (1 - kClearanceRounding);
+  return std::max(options.minClearance, 0.75 * resolution) * (1 - kSameWidth);
 }
 
 EdgeIndices keepClear(const VoronoiGraph& graph, const InsideFlags& isInside, double clearance) {

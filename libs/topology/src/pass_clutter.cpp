@@ -9,19 +9,19 @@
 
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/base/containers.h"
+#include "roomgraph/topology/VoronoiGraph.h"
 
 namespace roomgraph {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-/** Widths and lengths that differ by less than this share are equal: rounding must not decide. */
-constexpr double kSame = 1e-9;
 
 /** Whether `a` is missed less than `b`: it is narrower, or as narrow and shorter, as the ways
  *  between the chairs of a row are. */
 bool isWorse(const Path& a, const Path& b) {
-  if (a.minClearance < b.minClearance * (1 - kSame)) return true;
-  return a.minClearance < b.minClearance * (1 + kSame) && a.length < b.length * (1 - kSame);
+  if (a.minClearance < b.minClearance * (1 - kSameWidth)) return true;
+  return a.minClearance < b.minClearance * (1 + kSameWidth) &&
+         a.length < b.length * (1 - kSameWidth);
 }
 
 /** The obstacle to the left of a segment of a path in the path's direction, or to its right. Of the

@@ -10,6 +10,8 @@ namespace roomgraph {
 // Out:  Grid without rims
 // Next: wallMap
 
+constexpr int kWidestRim = 2;  ///< of unknown cells between free space and a wall [cells]
+
 /** Some mappers, cartographer among them, leave a rim of one or two unknown cells between free
  *  space and the cells of a wall. Where that is how the map's walls are drawn, as more free cells
  *  have a wall behind such a rim than right beside them, the rim becomes free, so that the wall has

@@ -7,6 +7,10 @@
 
 namespace roomgraph {
 
+/** Widths, and lengths of ways, that differ by less than this share are equal: rounding must not
+ *  decide. Cells make passages of just one width common. */
+constexpr double kSameWidth = 1e-9;
+
 /** A place that is equally near to three or more obstacles, its nearest ones. */
 struct VoronoiVertex {
   Point place;           ///< [m, map frame]
