@@ -19,7 +19,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr float kFontSize = 16, kLineHeight = 18, kTextMargin = 4, kTextFromTop = 4;  // [px]
+constexpr float kFontSize = 16, kLineHeight = 18, kTextMargin = 4;  // [px]
 constexpr int kClickReach = 3;     // how far the mouse may move in a click [px]
 constexpr int kLineReach = 8;      // how near to the line of a swipe it is caught [px]
 constexpr double kSwipeStep = 50;  // of the keys , and ., in the width of the picture
@@ -101,7 +101,7 @@ class Window : public mrpt::gui::CDisplayWindowGUI {
   /** What the scene itself writes in pictures stands on paper here, above all else. */
   void draw(NVGcontext* context) override {
     CDisplayWindowGUI::draw(context);
-    drawText(context, kTextFromTop, readState(view_, state_));
+    drawText(context, kTextMargin, readState(view_, state_));
     const std::vector<std::string> below = linesBelow();
     drawText(context,
              float(height() - bottom()) - kLineHeight * float(below.size()) - 2 * kTextMargin,

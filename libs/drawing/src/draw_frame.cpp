@@ -9,7 +9,7 @@ namespace roomgraph {
 namespace {
 
 constexpr int kFrameMargin = 20, kTitleHeight = 58, kMinWidth = 560;
-constexpr double kTitlePx = 18, kSubtitlePx = 12.5, kLegendPx = 12.5;
+constexpr double kTitlePx = 18, kTextPx = 12.5;
 constexpr double kRowPx = 24, kSymbolPx = 26, kGapPx = 22;
 constexpr double kScreenPx = 900;  // of the longer side, as much as a screen shows
 
@@ -69,7 +69,7 @@ void drawScaleBar(const Pen& pen, Point place) {
   cairo_line_to(cairo, place.x + width, place.y + 4);
   pen.stroke(1.6);
   pen.text(metresText(metres), {place.x + width + 8 * large, place.y + 4.5 * large},
-           kLegendPx * large, true, Pen::Align::left);
+           kTextPx * large, true, Pen::Align::left);
 }
 
 void drawTitle(const Pen& pen, const Scene& scene, const Layout& layout) {
@@ -82,7 +82,7 @@ void drawTitle(const Pen& pen, const Scene& scene, const Layout& layout) {
   pen.ink(ink::text);
   line(scene.title, kTitlePx, true, 14);
   pen.ink(ink::quiet);
-  line(scene.subtitle, kSubtitlePx, false, 36);
+  line(scene.subtitle, kTextPx, false, 36);
 }
 
 /** The symbol is drawn for words as small as said above. */
@@ -94,7 +94,7 @@ void drawLegendItem(const Pen& pen, const LegendItem& item, Point place) {
   cairo_scale(cairo, large, large);
   item.symbol(pen, {});
   pen.ink(ink::text);
-  pen.text(item.label, {kSymbolPx - 11, 4.5}, kLegendPx, false, Pen::Align::left);
+  pen.text(item.label, {kSymbolPx - 11, 4.5}, kTextPx, false, Pen::Align::left);
   cairo_restore(cairo);
 }
 
@@ -120,9 +120,9 @@ Layout layoutOf(const Scene& scene, const View& view) {
   layout.scaleBar = {next.x + 1, next.y};
   const double metres = scaleBarLength(view);
   next.x += metres * view.pxPerMetre() + 8 * large +
-            pen.textWidth(metresText(metres), kLegendPx * large, true) + 1.5 * kGapPx * large;
+            pen.textWidth(metresText(metres), kTextPx * large, true) + 1.5 * kGapPx * large;
   for (const LegendItem& item : scene.legend) {
-    const double width = large * (kSymbolPx + pen.textWidth(item.label, kLegendPx, false));
+    const double width = large * (kSymbolPx + pen.textWidth(item.label, kTextPx, false));
     if (next.x + width > right && next.x > kFrameMargin) next = {kFrameMargin, next.y + row};
     layout.legend.push_back({next.x + 9 * large, next.y});
     next.x += width + kGapPx * large;

@@ -57,8 +57,8 @@ constexpr double kBandHeight = 0.5;   // [m]
 constexpr double kLowestBand = 0.2;   // above the floor: its own noise, thresholds, cables [m]
 constexpr double kHighestBand = 1.9;  // lintels of doors begin here [m]
 
-constexpr int kBits = 24, kHeightBits = 12;
-constexpr std::int32_t kMiddle = 1 << (kBits - 1), kHeightMiddle = 1 << (kHeightBits - 1);
+constexpr int kBits = 24;  // of a place along each axis, and half of it of its height
+constexpr std::int32_t kMiddle = 1 << (kBits - 1), kHeightMiddle = 1 << (kBits / 2 - 1);
 
 using Layers = std::vector<std::vector<Voxels::Column>>;
 

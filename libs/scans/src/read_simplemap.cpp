@@ -10,9 +10,8 @@
 namespace roomgraph {
 namespace {
 
-// A header with its class name, twice: less cannot be an entry.
-constexpr std::uint64_t kSmallestEntry = 32;
-constexpr std::uint64_t kSmallestObservation = 16;
+// A header with its class name: less cannot be an object, such as an observation; an entry is two.
+constexpr std::uint64_t kSmallestObject = 16;
 
 bool isPoseClass(const std::string& name) {
   return name.compare(0, 5, "CPose") == 0 && name.find("PDF") != std::string::npos;
@@ -84,7 +83,7 @@ void readFrame(ByteReader& reader, Recording& recording) {
   if (frame.version < 2) reader.skip(4);   // id
   if (frame.version == 0) reader.skip(8);  // time
   const auto count = reader.get<std::uint32_t>();
-  if (count > reader.left() / kSmallestObservation)
+  if (count > reader.left() / kSmallestObject)
     refuse(reader.file(),
            "it is damaged: an entry claims " + std::to_string(count) + " observations",
            kSaveMapAgain);
@@ -94,7 +93,7 @@ void readFrame(ByteReader& reader, Recording& recording) {
 
 std::uint32_t readCount(ByteReader& reader, std::uint64_t bytesLeft) {
   const auto count = reader.get<std::uint32_t>();
-  if (count > bytesLeft / kSmallestEntry)
+  if (count > bytesLeft / (2 * kSmallestObject))
     refuse(reader.file(), "it is damaged: it claims " + std::to_string(count) + " entries",
            kSaveMapAgain);
   return count;
