@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "roomgraph/align/WallFit.h"
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/mapped.h"
 #include "roomgraph/base/orders.h"
 
@@ -19,7 +20,7 @@ double roughQuality(const std::vector<WallPoint>& walls, const WallMap& in,
   for (std::size_t i = 0; i < walls.size(); ++i) {
     if (i == kFirstLook && sum < kFairQuality / 2 * double(kFirstLook)) return 0;
     const WallLookUp there = lookUp(walls[i], in, forth);
-    known += there.isKnown, sum += there.found(kRoughNear);
+    known += there.isKnown, sum += there.found(kSameWhereBent);
   }
   return known * 3 > double(walls.size()) ? sum / (known + kDoubt / 3) : 0;
 }
@@ -40,7 +41,7 @@ ScanFit fitAt(const LocalScan& scan, const WallMap& in, const Transform2D& pose)
   double sum = 0, known = 0, xx = 0, xy = 0, yy = 0;
   for (const WallPoint& point : scan.walls) {
     const WallLookUp there = lookUp(point, in, forth);
-    const double found = there.found(kHalfNear);
+    const double found = there.found(kWallCell);
     const Point normal = there.normal;
     known += there.isKnown, sum += found;
     xx += found * normal.x * normal.x, xy += found * normal.x * normal.y;
@@ -67,11 +68,11 @@ std::vector<ScanFit> findScan(const LocalScan& scan, const WallMap& in, const Tr
   const std::vector<WallPoint> some = someOf(scan.walls);
   std::vector<std::pair<double, Transform2D>> tries;
   const int turns = int(std::ceil(std::min(window.turn, M_PI) / kSameScanStart.turn));
-  const int steps = int(std::ceil(window.place / kRoughNear));
+  const int steps = int(std::ceil(window.place / kSameWhereBent));
   for (int t = -turns; t <= turns; ++t)
     for (int x = -steps; x <= steps; ++x)
       for (int y = -steps; y <= steps; ++y) {
-        const Transform2D pose{around.x + x * kRoughNear, around.y + y * kRoughNear,
+        const Transform2D pose{around.x + x * kSameWhereBent, around.y + y * kSameWhereBent,
                                wrappedAngle(around.phi + t * kSameScanStart.turn)};
         const double quality = roughQuality(some, in, pose);
         if (quality > kFairQuality) tries.emplace_back(quality, pose);

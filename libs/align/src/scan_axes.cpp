@@ -8,8 +8,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kPiece = 1.0;             // length of a piece of wall [m]
-constexpr double kMaxGap = 0.5;            // between the ends of neighbouring beams [m]
+constexpr double kPiece = 1.0;             // of wall; there is no gap of half of it in one [m]
 constexpr std::size_t kMinBeams = 4;       // beams along a piece
 constexpr double kPieceRoughness = 0.03;   // standard deviation across a piece [m]
 constexpr double kFullLength = 5;          // from which on more tells no more [m]
@@ -25,7 +24,7 @@ Piece pieceFrom(const std::vector<Point>& ends, std::size_t first) {
   Piece piece{first, 0};
   while (piece.last + 1 < ends.size() && piece.length < kPiece) {
     const double gap = distance(ends[piece.last], ends[piece.last + 1]);
-    if (gap > kMaxGap) break;
+    if (gap > kPiece / 2) break;
     piece.length += gap, ++piece.last;
   }
   return piece;

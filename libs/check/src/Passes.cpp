@@ -9,7 +9,6 @@ namespace roomgraph {
 namespace {
 
 constexpr std::size_t kMostScans = 12;
-constexpr double kBeside = 4;                 // from a scan to the robot's way through a map [m]
 constexpr std::size_t kMaps = 2;              // in which a scan is looked for
 constexpr PoseTolerance kDrift{0.003, 0.02};  // per metre of path
 constexpr PoseTolerance kMostWindow{0.5, 3};
@@ -61,7 +60,7 @@ void Passes::chooseFor(std::size_t k) {
     const Point place = poses_[k].shift();  // from it to the robot's way there
     const double way = distance(poses_[nearestScan(pass, place)].shift(), place);
     const bool isOther = k + kLeastScans < pass.first || k >= pass.end + kLeastScans;
-    if (isOther && pathTo(k, pass) > kWayRound && way < kBeside + windowOf(k, pass).place)
+    if (isOther && pathTo(k, pass) > kWayRound && way < kLength / 2 + windowOf(k, pass).place)
       near.emplace_back(way, s);
   }
   std::sort(near.begin(), near.end());

@@ -17,7 +17,7 @@ constexpr double kMoreBeams = 1.4;  // times as many through walls: by few they 
 bool isThrough(const WallMap& map, std::size_t cell, Point place, Point normal) {
   if (map.states[cell] != State::free) return false;
   const WallPoint* wall = nearestWall(map, cell, normal);
-  return !wall || distance(wall->place, place) > 2 * kSameWall;
+  return !wall || distance(wall->place, place) > kSameWhereBent;
 }
 
 /** What beams of a pass tell of the walls of one scan, which lies at `pose`. */

@@ -6,13 +6,13 @@
 #include <map>
 
 #include "roomgraph/align/alignment_confidence.h"
+#include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/check/find_refuted.h"
 #include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/Run.h"
-#include "roomgraph/relate/sight_walls.h"
 
 namespace roomgraph {
 namespace {

@@ -32,7 +32,7 @@ class OtherRuns {
     for (const std::size_t j : others_) {
       const WallShare share = wallShare(
           scan.walls.size(), [&](std::size_t w) -> const WallPoint& { return scan.walls[w]; },
-          site_.mapOf(j), poseIn(j, k) * scan.pose.inverse(), kRoughNear);
+          site_.mapOf(j), poseIn(j, k) * scan.pose.inverse(), kSameWhereBent);
       if (share.known <= kMajority * share.all) continue;
       if (share.ofKnown() >= fitted::kLeastQuality) return false;
       isKnown = true;

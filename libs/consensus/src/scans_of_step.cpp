@@ -8,9 +8,8 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kScansAhead = 8;    // that draw the map in which the next is looked for
-constexpr std::size_t kScansAround = 24;  // the same, where it was not found so
-constexpr std::size_t kScansBehind = 6;   // that draw the map in which those ahead are looked for
+constexpr std::size_t kScansAhead = 8;   // that draw the map in which the next is looked for
+constexpr std::size_t kScansBehind = 6;  // that draw the map in which those ahead are looked for
 
 }  // namespace
 
@@ -31,7 +30,7 @@ WallMap ScansOfStep::around(std::size_t k, const std::vector<Transform2D>& poses
   std::vector<std::pair<double, std::size_t>> near;
   for (std::size_t i = 0; i < k; ++i)
     if (scans_[i].isTelling()) near.emplace_back(distance(poses[i].shift(), robot), i);
-  const std::size_t count = std::min(near.size(), kScansAround);
+  const std::size_t count = std::min(near.size(), 3 * kScansAhead);
   std::partial_sort(near.begin(), near.begin() + std::ptrdiff_t(count), near.end());
   std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < count; ++i) chosen.push_back(near[i].second);

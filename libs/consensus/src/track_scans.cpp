@@ -9,6 +9,7 @@
 #include "roomgraph/align/find_scan.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/step_hold.h"
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/align/wall_share.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/orders.h"
@@ -26,7 +27,7 @@ constexpr Point kSpinOffsets[] = {{0, 0}, {0.7, 0}, {-0.7, 0}, {0, 0.7}, {0, -0.
 
 /** Says 0 where it is less than `least`, as soon as that is sure. */
 double qualityAt(const ScanWalls& scan, const WallMap& map, const Transform2D& pose, double least,
-                 double half = kHalfNear, std::size_t stride = 1) {
+                 double half = kWallCell, std::size_t stride = 1) {
   const Motion2D forth(pose);
   const std::size_t count = (scan.walls.size() + stride - 1) / stride;
   const auto all = double(count);
@@ -192,7 +193,8 @@ class Tracker {
 
   /** What a pose that is some decimetres off may come to, by a part of the walls. */
   double roughQualityAt(std::size_t k, const Transform2D& pose, double least) const {
-    return qualityAt(scans_[k], map_, pose, least, kRoughNear, roughStride(scans_[k].walls.size()));
+    return qualityAt(scans_[k], map_, pose, least, kSameWhereBent,
+                     roughStride(scans_[k].walls.size()));
   }
 
   Transform2D fitted(const ScanWalls& scan, const Transform2D& pose, const NarrowingBand& band,

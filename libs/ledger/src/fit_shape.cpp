@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fitted_ledger.h"
+#include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
 
@@ -23,7 +24,7 @@ class Search {
 
   /** Keeps the move for each area that it is better for. */
   void look(const RoomMove& move, const RoomMove& start) {
-    if (distance(move.shift, start.shift) > reach_ + kFirstStep) return;
+    if (distance(move.shift, start.shift) > reach_ + kSameStart.place) return;
     const Footprint print = footprint(room_, move, frame_, run_, buffer_);
     if (print.known < kMajority * print.samples) return;
     for (const auto& [area, common] : print.in) {
@@ -42,7 +43,7 @@ class Search {
 
   /** Walks from the best move of `area` to better ones. */
   void refine(std::size_t area) {
-    double step = kFirstStep, turn = fitted::kFirstTurn;
+    double step = kSameStart.place, turn = fitted::kFirstTurn;
     for (int halving = 0; halving < fitted::kHalvings;) {
       const Found before = found_[area];
       const RoomMove& at = before.fit.move;

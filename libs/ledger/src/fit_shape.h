@@ -50,9 +50,6 @@ struct ShapeFit {
   double overlap = 0;  ///< intersection over union; what the run has not looked at is left out
 };
 
-/** Of the refinement of a fit; starts that are nearer to each other are one [m]. */
-constexpr double kFirstStep = 0.3;
-
 /** How a room is looked for round a start. */
 struct ShapeSearch {
   double reach = 0;       ///< how far [m]

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "fitted_ledger.h"
+#include "roomgraph/align/near_poses.h"
 
 namespace roomgraph {
 namespace {
@@ -86,9 +87,9 @@ class Matching {
       if (!fit) continue;
       const RoomMove start = moveOf(fit->move.about(rooms_.shapes[n].middle), middle);
       const bool isNew = std::none_of(starts.begin(), starts.end(), [&](const RoomMove& other) {
-        return distance(other.shift, start.shift) < kFirstStep;
+        return distance(other.shift, start.shift) < kSameStart.place;
       });
-      if (isNew && norm(start.shift) >= kFirstStep) starts.push_back(start);
+      if (isNew && norm(start.shift) >= kSameStart.place) starts.push_back(start);
     }
     addFreeAreas(s, starts);
     if (starts.empty()) return;

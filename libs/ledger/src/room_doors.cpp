@@ -19,7 +19,7 @@ struct Group {
 
 /** Whether a run knows all round a place, as far as maps bend. */
 bool knows(const RunAreas& run, const GridFrame& frame, Point p) {
-  const double near = 2 * kSameWall;
+  const double near = kSameWhereBent;
   for (const Point by : {Point{0, 0}, {near, 0}, {-near, 0}, {0, near}, {0, -near}}) {
     const std::size_t cell = cellIndexAt(frame, p + by);
     if (cell >= run.labels.size() || run.labels[cell] == RunAreas::unknown) return false;

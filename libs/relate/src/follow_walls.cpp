@@ -14,7 +14,6 @@
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/mapped.h"
 #include "roomgraph/geometry/MotionFit.h"
-#include "roomgraph/relate/sight_walls.h"
 #include "torn_end.h"
 
 namespace roomgraph {

@@ -8,12 +8,12 @@
 #include "roomgraph/align/FullMaps.h"
 #include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/align/near_poses.h"
+#include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/orders.h"
 #include "roomgraph/relate/pair_jobs.h"
 #include "roomgraph/relate/relate_maps.h"
-#include "roomgraph/relate/sight_walls.h"
 
 namespace roomgraph {
 namespace {

@@ -10,6 +10,7 @@
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/compare/RunScore.h"
+#include "roomgraph/relate/follow_walls.h"
 #include "roomgraph/repair/BendField.h"
 
 namespace roomgraph {
@@ -120,9 +121,9 @@ class Carrier {
     if (std::max(route.there.rival, route.onward.rival) > BendField::kSameCopy) return kTwice;
     if (carried.error > fitted::kLargeError) return "the maps bend here";
     if (isOnlySaid_) return "the maps hardly show that they are of one site";
-    if (!place.isCorner && !isFreeNear(old_, place.pose.shift(), fitted::kOwnPlace))
+    if (!place.isCorner && !isFreeNear(old_, place.pose.shift(), kSameWhereBent))
       return "the old map shows no free space there";
-    const LocalScan view = viewFrom(old_, place.pose, fitted::kViewRange);
+    const LocalScan view = viewFrom(old_, place.pose, kPatchReach);
     if (!view.isTelling()) return doubtUnseen(place, route, carried);
     const Transform2D& pose = *carried.pose;
     const ScanFit here = fitNear(view, new_, pose);
@@ -130,7 +131,7 @@ class Carrier {
     if (here.quality < kMajority) return "what lies around it looks otherwise on the new map";
     const double off = distance(here.pose.shift(), pose.shift());
     carried.error = std::hypot(carried.error, off);
-    if (off > fitted::kOwnPlace) return formatted("its surroundings are shifted by %.1f m", off);
+    if (off > kSameWhereBent) return formatted("its surroundings are shifted by %.1f m", off);
     for (const ScanFit& other : findScan(view, new_, pose, kRoughly, 1))
       if (other.score * kRivalScore > here.score)
         return formatted("its surroundings fit better %.2f m away, turned by %.1f degrees",

@@ -37,8 +37,6 @@ constexpr double kOtherPiece = 3;  // a piece lies elsewhere that bends so far o
 constexpr double kBeenThere = 5;       // the robot was at a place that it has passed this near [m]
 constexpr double kLeastSpread = 0.03;  // of the consensus where it is best [m]
 constexpr double kLargeError = 0.2;    // from which on a place is worth a look [m]
-constexpr double kViewRange = 6;       // of what lies around a place [m]
-constexpr double kOwnPlace = 0.3;      // farther off they belong to another place [m]
 
 // The shape of what is carried.
 constexpr std::size_t kNeighbours = 8;

@@ -15,12 +15,12 @@ struct PoseTolerance {
 
 // All that the comparison takes for one pose, from the narrowest on.
 constexpr PoseTolerance kSameScanAnswer{0.02, 0.15};  ///< answers to where a scan or patch lies
-constexpr PoseTolerance kSameStart{0.03, 0.3};        ///< candidates worth one closer look
+constexpr PoseTolerance kSameStart{0.03, 0.3};        ///< starts of one search, and its first step
 constexpr PoseTolerance kSameScanStart{0.05, 0.4};    ///< starts that one fit of a scan joins
 constexpr PoseTolerance kNextPatch{0.08, 0.4};        ///< what a map bends from patch to patch
 constexpr PoseTolerance kSteadyTrack{0.12, 0.6};      ///< what a map bends from scan to scan
 constexpr PoseTolerance kSameAnswer{0.15, 1.0};       ///< answers to how two maps lie in each other
-constexpr PoseTolerance kRoughly{0.3, 3.0};           ///< what is right before it is solved for
+constexpr PoseTolerance kRoughly{0.3, 3.0};           ///< right before it is solved, or looked, for
 constexpr PoseTolerance kAsMapsBend{0.45, 6.0};       ///< a pair beside its poses in the site
 
 /** Whether two poses turn alike, and carry `place` to about the same one. */

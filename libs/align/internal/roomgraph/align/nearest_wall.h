@@ -6,6 +6,9 @@ namespace roomgraph {
 /** A wall that lies this near to another has been found [m]. */
 constexpr double kSameWall = 0.15;
 
+/** The same where maps bend, or where poses are known within some decimetres only [m]. */
+constexpr double kSameWhereBent = 2 * kSameWall;
+
 /** Cosine between the normals of one wall, in two scans or drawn twice. */
 constexpr double kFacesAlike = 0.8;
 

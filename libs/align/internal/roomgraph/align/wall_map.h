@@ -9,7 +9,8 @@ namespace roomgraph {
 // Out:  WallMap
 // Next: alignMaps
 
-/** Side of a cell of WallMap::frame; a coarser map keeps its own [m]. */
+/** Side of a cell of WallMap::frame; a coarser map keeps its own. Walls are known to about as much:
+ *  one this far from where a scan has it counts half [m]. */
 constexpr double kWallCell = 0.1;
 
 /** Finds the walls of a map. A map without any free cell beside an occupied one has no walls, and

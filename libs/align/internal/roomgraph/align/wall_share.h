@@ -10,8 +10,8 @@ constexpr double kDoubt = 5;
 constexpr std::size_t kFewestPoints = 15;
 /** Share of them that is found from which on a pose that others lead to is worth a look. */
 constexpr double kFairQuality = 0.3;
-/** The same from which on no other pose is looked for. */
-constexpr double kSureQuality = 0.7;
+/** The same from which on no other pose is looked for: what is left is too little for one. */
+constexpr double kSureQuality = 1 - kFairQuality;
 /** Of every so manyth point are poses told by that are only compared. */
 constexpr std::size_t kQuickStride = 3;
 

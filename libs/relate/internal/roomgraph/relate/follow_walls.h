@@ -35,7 +35,8 @@ struct FollowedWalls {
   double misfit = 0;
 };
 
-/** So far from the middle of a patch its pose tells where things are [m]. */
+/** So far from the middle of a patch its pose tells where things are, and so far round a place its
+ *  surroundings tell where it is [m]. */
 constexpr double kPatchReach = 6;
 
 /** Around a wall, of what counts in the fit of a patch. */

@@ -17,9 +17,6 @@ namespace roomgraph {
  *  wall, and neither the wall nor free space in its place. */
 enum class WallSighting : std::uint8_t { unknown, found, free, faded };
 
-/** Walls of two maps that bend are one within this distance [m]. */
-constexpr double kSameWhereBent = 2 * kSameWall;
-
 /** Of each wall point of a map, what the other has there. Each is looked for where the patch of
  *  walls next to it was followed to, so that bends are no missing walls; where nothing was
  *  followed, all is unknown. O(walls + patches^2). */
