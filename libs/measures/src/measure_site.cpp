@@ -29,7 +29,6 @@ SiteMeasures measureSite(const Site& site, const MapPairs& pairs, const PairBend
                               witnesses,
                               breaks,
                               coverageOf(site, maps, witnesses),
-                              distancesOf(site, pairs.pairs(), forEach),
                               wallSightings(site, pairs, forEach),
                               roomCounts(site, pairs.pairs(), forEach),
                               comparedGraphs(site, pairs, forEach)};

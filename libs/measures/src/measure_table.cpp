@@ -15,10 +15,10 @@ using Index = std::size_t;  // of a run
 MeasureRow wallDistance(const MeasureKind& kind, double share) {
   return {kind,
           [share](Evidence all, Index run) {
-            return wallDistanceOf(all.distances, all.trust, run, share);
+            return wallDistanceOf(all.sightings.distances, all.trust, run, share);
           },
           [share](Evidence all, Index a, Index b) {
-            return wallDistanceOfPair(all.distances, a, b, share);
+            return wallDistanceOfPair(all.sightings.distances, a, b, share);
           }};
 }
 
@@ -55,7 +55,9 @@ std::vector<MeasureRow> wallRows() {
       {{"wall_distance_mean", "Wall distance, mean", "m", kFewestWalls,
         "Mean distance of the walls of both."},
        {},
-       [](Evidence all, Index a, Index b) { return meanWallDistanceOfPair(all.distances, a, b); }}};
+       [](Evidence all, Index a, Index b) {
+         return meanWallDistanceOfPair(all.sightings.distances, a, b);
+       }}};
 }
 
 std::vector<MeasureRow> wallPlaceRows() {

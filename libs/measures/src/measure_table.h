@@ -26,7 +26,6 @@ struct SiteEvidence {
   const std::vector<std::vector<MapBreak>>& breaks;  ///< of each run
 
   std::vector<MeasuredValue> coverage;  ///< of each run: what one covers hangs on all
-  DistanceTable distances;
   SightingTable sightings;
   RoomCounts rooms;
   ComparedGraphs graphs;

@@ -5,13 +5,11 @@
 #include <utility>
 
 #include "fitted_measures.h"
-#include "roomgraph/align/FullMaps.h"
 #include "roomgraph/align/shared_edges.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/align/wall_share.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/geometry/Polygon.h"
-#include "roomgraph/relate/pair_jobs.h"
 
 namespace roomgraph {
 namespace {
@@ -158,20 +156,6 @@ MeasuredValue axisDeviationOf(const Run& run) {
   std::optional<double> degrees;
   if (run.map.axisDeviation) degrees = *run.map.axisDeviation * 180 / M_PI;
   return {degrees, double(run.map.walls.size())};
-}
-
-DistanceTable distancesOf(const Site& site, const std::vector<PairOfThings>& pairs,
-                          const ForEach& forEach) {
-  DistanceTable distances(site.runs.size(), pairs);
-  const auto measure = [&](std::size_t i, std::size_t j, FullMaps& maps) {
-    distances(i, j) =
-        wallDistances(site.mapOf(i), maps(site.mapOf(j)), site.poses[j].inverse() * site.poses[i]);
-  };
-  visitPairs(site, pairs, forEach, [&](std::size_t k, FullMaps& maps) {
-    const auto [i, j] = pairs[k];
-    measure(i, j, maps), measure(j, i, maps);
-  });
-  return distances;
 }
 
 MeasuredValue wallDistanceOf(const DistanceTable& distances, const Trust& trust, std::size_t run,

@@ -4,7 +4,6 @@
 
 #include "MeasuredValue.h"
 #include "roomgraph/align/WallMap.h"
-#include "roomgraph/base/ForEach.h"
 #include "roomgraph/base/PairTable.h"
 #include "roomgraph/geometry/Point.h"
 #include "roomgraph/geometry/Transform2D.h"
@@ -70,10 +69,6 @@ WallDistances wallDistances(const WallMap& map, const WallMap& other, const Tran
 
 /** How far the walls of each run lie from those of the others. */
 using DistanceTable = DirectedTable<WallDistances>;
-
-/** Of `pairs` of runs. O(pairs * walls). */
-DistanceTable distancesOf(const Site& site, const std::vector<PairOfThings>& pairs,
-                          const ForEach& forEach);
 
 /** Of one run: the quantile `share` of the distances of its walls to those of the others, weighted
  *  by trust [m]. Support in wall points. */

@@ -157,7 +157,9 @@ MeasuredValue addedOf(Walls walls, const SightingTable& sightings, const Distinc
 }  // namespace
 
 SightingTable wallSightings(const Site& site, const MapPairs& pairs, const ForEach& forEach) {
-  SightingTable table{{site.runs.size(), pairs.pairs()}, straightOf(site, forEach), {}, {}, {}};
+  const std::size_t n = site.runs.size();
+  SightingTable table{
+      {n, pairs.pairs()}, {n, pairs.pairs()}, straightOf(site, forEach), {}, {}, {}};
   for (const Run* run : site.runs) {
     table.patches.push_back(&run->map.patches);
     table.hasScans.push_back(!run->scans.empty());
@@ -168,6 +170,10 @@ SightingTable wallSightings(const Site& site, const MapPairs& pairs, const ForEa
     const WallMap &a = maps(site.mapOf(i)), &b = maps(site.mapOf(j));
     table.in(i, j) = sightWalls(a, b, followedIn(pairs, i, j));
     table.in(j, i) = sightWalls(b, a, followedIn(pairs, j, i));
+    const Transform2D bInA = site.poses[i].inverse() * site.poses[j];
+    const Transform2D aInB = site.poses[j].inverse() * site.poses[i];
+    table.distances(i, j) = wallDistances(a, b, aInB);
+    table.distances(j, i) = wallDistances(b, a, bInA);
   });
   return table;
 }

@@ -9,6 +9,7 @@
 #include "roomgraph/relate/MapPairs.h"
 #include "roomgraph/relate/Site.h"
 #include "roomgraph/relate/sight_walls.h"
+#include "run_measures.h"
 
 namespace roomgraph {
 
@@ -17,16 +18,17 @@ namespace roomgraph {
 // Out:  which walls of a run are there in others
 // Next: measureSite
 
-/** Which walls of each run are there in the others. */
+/** Which walls of each run are there in the others, and how far off. */
 struct SightingTable {
   DirectedTable<std::vector<WallSighting>> in;  ///< of each wall point of a run, in another one
-  std::vector<std::vector<bool>> isStraight;    ///< of each of a run: it is of 2 m of straight wall
-  std::vector<const WallPatches*> patches;      ///< of the walls of each run
-  std::vector<bool> hasScans;                   ///< of each run
-  std::vector<double> spacing;                  ///< of the wall points of each run [m]
+  DistanceTable distances;
+  std::vector<std::vector<bool>> isStraight;  ///< of each of a run: it is of 2 m of straight wall
+  std::vector<const WallPatches*> patches;    ///< of the walls of each run
+  std::vector<bool> hasScans;                 ///< of each run
+  std::vector<double> spacing;                ///< of the wall points of each run [m]
 };
 
-/** Of all pairs, see sightWalls. O(pairs * walls). */
+/** Of all pairs, see sightWalls and wallDistances. O(pairs * walls). */
 SightingTable wallSightings(const Site& site, const MapPairs& pairs, const ForEach& forEach);
 
 /** Of one run: `walls_missing`, of the straight walls of each other run that a third one has, too,
