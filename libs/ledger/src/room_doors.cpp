@@ -6,6 +6,7 @@
 #include "fit_shape.h"
 #include "fitted_ledger.h"
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/base/OneToOne.h"
 #include "roomgraph/base/containers.h"
 
 namespace roomgraph {
@@ -69,15 +70,14 @@ void join(const std::vector<RoomDoors::Door>& doors, std::size_t run, std::size_
       if (far <= (isSameTo ? kWideSearch.reach : fitted::kSameDoor)) offers.emplace_back(far, d, g);
     }
   std::sort(offers.begin(), offers.end());
-  std::vector<bool> isJoined(doors.size());
+  OneToOne pairing(doors.size(), groups.size());
   for (const auto& [far, d, g] : offers) {
-    if (isJoined[d] || groups[g].isIn[run]) continue;
-    isJoined[d] = true;
+    if (!pairing.take(d, g)) continue;
     groups[g].isIn[run] = true;
     if (!groups[g].door.to) groups[g].door.to = doors[d].to;
   }
   for (std::size_t d = 0; d < doors.size(); ++d) {
-    if (isJoined[d]) continue;
+    if (pairing.hasFirst(d)) continue;
     groups.push_back({doors[d], std::vector<bool>(runs)});
     groups.back().isIn[run] = true;
   }

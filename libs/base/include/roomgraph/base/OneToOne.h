@@ -21,6 +21,9 @@ class OneToOne {
     return true;
   }
 
+  /** Whether a thing of the first kind is in a pair. */
+  [[nodiscard]] bool hasFirst(std::size_t first) const { return firsts_[first]; }
+
  private:
   std::vector<bool> firsts_, seconds_;
 };
