@@ -35,15 +35,23 @@ void readPng(CheckedFile& file, GreyMap& map) {
   flipRows(map.grey, header.width);
 }
 
+/** What `of` gives of each pixel of a checked bmp, the lowest row first. */
+template <class Of>
+std::vector<std::uint8_t> pixelsOfBmp(CheckedFile& file, const BmpHeader& header, const Of& of) {
+  std::vector<std::uint8_t> all(header.width * header.height);
+  decodeBmp(file, header, [&](std::size_t row, const std::vector<BmpPixel>& pixels) {
+    std::transform(pixels.begin(), pixels.end(), all.begin() + std::ptrdiff_t(row * pixels.size()),
+                   of);
+  });
+  return all;
+}
+
 void readBmp(CheckedFile& file, GreyMap& map) {
   const BmpHeader header = readBmpHeader(ByteReader(file.head(), file.name()));
   setSize(map.frame, header, file.name());
   checkBmp(file, header);
-  map.grey.resize(map.frame.cellCount());
-  decodeBmp(file, header, [&](std::size_t row, const std::vector<BmpPixel>& pixels) {
-    std::transform(
-        pixels.begin(), pixels.end(), map.grey.begin() + std::ptrdiff_t(row * pixels.size()),
-        [](const BmpPixel& p) { return overBackground(averaged(p[0], p[1], p[2]), p[3]); });
+  map.grey = pixelsOfBmp(file, header, [](const BmpPixel& p) {
+    return overBackground(averaged(p[0], p[1], p[2]), p[3]);
   });
 }
 
@@ -75,13 +83,7 @@ std::vector<std::uint8_t> clearPixelsOfPng(CheckedFile& file) {
 
 std::vector<std::uint8_t> clearPixelsOfBmp(CheckedFile& file) {
   const BmpHeader header = readBmpHeader(ByteReader(file.head(), file.name()));
-  std::vector<std::uint8_t> isClear(header.width * header.height);
-  decodeBmp(file, header, [&](std::size_t row, const std::vector<BmpPixel>& pixels) {
-    std::transform(pixels.begin(), pixels.end(),
-                   isClear.begin() + std::ptrdiff_t(row * pixels.size()),
-                   [](const BmpPixel& p) { return p[3] < 255; });
-  });
-  return isClear;
+  return pixelsOfBmp(file, header, [](const BmpPixel& p) { return std::uint8_t(p[3] < 255); });
 }
 
 }  // namespace
