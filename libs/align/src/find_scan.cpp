@@ -15,14 +15,15 @@ constexpr std::size_t kFirstLook = 10;  // walls that tell most poses apart
 /** The share of walls found, of a part of them and in the rough. */
 double roughQuality(const std::vector<WallPoint>& walls, const WallMap& in,
                     const Transform2D& pose) {
-  const Motion2D forth(pose);
-  double sum = 0, known = 0;
-  for (std::size_t i = 0; i < walls.size(); ++i) {
-    if (i == kFirstLook && sum < kFairQuality / 2 * double(kFirstLook)) return 0;
-    const WallLookUp there = lookUp(walls[i], in, forth);
-    known += there.isKnown, sum += there.found(kSameWhereBent);
-  }
-  return known * 3 > double(walls.size()) ? sum / (known + kDoubt / 3) : 0;
+  const auto shareOf = [&](std::size_t count) {
+    return wallShare(
+        count, [&](std::size_t i) { return walls[i]; }, in, pose, kSameWhereBent);
+  };
+  if (walls.size() > kFirstLook &&
+      shareOf(kFirstLook).found < kFairQuality / 2 * double(kFirstLook))
+    return 0;
+  const WallShare share = shareOf(walls.size());
+  return share.known * 3 > share.all ? share.ofKnown(kDoubt / 3) : 0;
 }
 
 std::vector<WallPoint> someOf(const std::vector<WallPoint>& walls) {

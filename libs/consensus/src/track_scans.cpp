@@ -28,19 +28,13 @@ constexpr Point kSpinOffsets[] = {{0, 0}, {0.7, 0}, {-0.7, 0}, {0, 0.7}, {0, -0.
 /** Says 0 where it is less than `least`, as soon as that is sure. */
 double qualityAt(const ScanWalls& scan, const WallMap& map, const Transform2D& pose, double least,
                  double half = kWallCell, std::size_t stride = 1) {
-  const Motion2D forth(pose);
-  const std::size_t count = (scan.walls.size() + stride - 1) / stride;
-  const auto all = double(count);
   const double doubt = kDoubt / double(stride);
-  double sum = 0, known = 0, left = all;
-  for (std::size_t i = 0; i < scan.walls.size(); i += stride) {
-    if (sum + left < least * (known + left + doubt)) return 0;
-    --left;
-    const WallLookUp there = lookUp(scan.walls[i], map, forth);
-    known += there.isKnown, sum += there.found(half);
-  }
-  return known * double(stride) >= double(LocalScan::kTelling) && known > kMajority * all
-             ? sum / (known + doubt)
+  const WallShare share = wallShare(
+      scan.walls.size(), [&](std::size_t i) { return scan.walls[i]; }, map, pose, half, stride,
+      least, doubt);
+  return share.known * double(stride) >= double(LocalScan::kTelling) &&
+                 share.known > kMajority * share.all
+             ? share.ofKnown(doubt)
              : 0;
 }
 

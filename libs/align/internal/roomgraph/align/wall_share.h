@@ -47,13 +47,18 @@ struct WallShare {
   double ofKnown(double doubt = 0) const { return known > 0 ? found / (known + doubt) : 0; }
 };
 
-/** Looks up every `stride`th of the points pointAt(0 to count - 1) where `pose` brings it. */
+/** Looks up every `stride`th of the points pointAt(0 to count - 1) where `pose` brings it. Comes
+ *  back with nothing as soon as their ofKnown(doubt) is sure to be less than `least`. */
 template <class PointAt>
 WallShare wallShare(std::size_t count, const PointAt& pointAt, const WallMap& map,
-                    const Transform2D& pose, double near = kWallNoise, std::size_t stride = 1) {
+                    const Transform2D& pose, double near = kWallNoise, std::size_t stride = 1,
+                    double least = 0, double doubt = 0) {
   const Motion2D forth(pose);
   WallShare share;
-  for (std::size_t i = 0; i < count; i += stride, ++share.all) {
+  const std::size_t asked = (count + stride - 1) / stride;
+  auto left = double(asked);
+  for (std::size_t i = 0; i < count; i += stride, ++share.all, --left) {
+    if (share.found + left < least * (share.known + left + doubt)) return {};
     const WallLookUp there = lookUp(pointAt(i), map, forth);
     share.known += there.isKnown, share.found += there.found(near);
   }
