@@ -17,8 +17,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kDrawnNear = 8;  // what a run has drawn farther off may lie elsewhere [m]
-
 /** Counts which nodes of the other run drew the walls that a node meets there. */
 class Meeting {
  public:
@@ -157,7 +155,7 @@ std::vector<FoundGroup> matchAgain(const PoseGraph& graph, RunId id, const Run& 
   for (std::size_t k = 0; k < scans.size(); ++k) {
     const Transform2D& pose = poses[nodes[k]];
     const NodeId nearest = nearestNode(graph.runs[other.run].nodes, poses, pose.shift());
-    if (!nearest || distance(poses[nearest].shift(), pose.shift()) >= kDrawnNear) continue;
+    if (!nearest || distance(poses[nearest].shift(), pose.shift()) >= kPatchReach) continue;
     const Transform2D start = graph.nodes[nearest].pose * poses[nearest].inverse() * pose;
     const ScanFit fit = fitNear(scans[k], other.map, start);
     if (areNear(fit.pose, start, {}, kRoughly)) track[k] = fit.pose * run.scans[k].pose.inverse();

@@ -16,7 +16,6 @@ constexpr double kMinPieceShare = 0.03;  // share of the walls from which on a p
 constexpr int kMaxPieces = 6;
 constexpr std::size_t kMaxCandidates = 40;       // poses that are tried for a piece
 constexpr std::size_t kFewestContradicted = 60;  // walls that may be a stretch that is torn off
-constexpr std::size_t kTornPlaces = 4;           // places that are held against each other
 constexpr double kTornHold = 0.15;               // in both directions, unlike walls of one corridor
 // Share of them that another part of the map has drawn, too: 0.21 to 0.55 of torn ends; of walls
 // that a torn end has erased in the other map at most 0.11.

@@ -37,7 +37,7 @@ std::vector<std::uint32_t> patchesWith(const std::vector<std::uint32_t>& walls,
 /** Where a scan fits, if in one place only. */
 std::optional<Transform2D> placeOf(const LocalScan& scan, const WallMap& other,
                                    const Transform2D& drawn) {
-  const auto fits = findScan(scan, other, drawn, {M_PI, kRoughly.place}, fitted::kTornPlaces);
+  const auto fits = findScan(scan, other, drawn, {M_PI, kRoughly.place}, kTries);
   const auto best = bestOf(fits);
   if (best == fits.end() || best->quality < kMajority || best->known < kSureQuality ||
       best->hold < fitted::kTornHold)
