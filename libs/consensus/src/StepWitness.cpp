@@ -25,13 +25,13 @@ std::optional<StepWitness::Fits> StepWitness::fitsOf(std::size_t k, const Transf
 bool StepWitness::refutes(std::size_t k, const Transform2D& step, RefutedBy by) {
   const auto fits = fitsOf(k, step);
   return fits && fits->drawn.quality >= kMajority &&
-         (fits->drawn.score - fits->other.score > fitted::kClearSlipGain ||
+         (fits->drawn.score - fits->other.score > fitted::kClearSlip.leastGain ||
           (by == RefutedBy::wallsOrGait && !gait_.isLikely(step, k)));
 }
 
 bool StepWitness::prefers(std::size_t k, const Transform2D& step) {
   const auto fits = fitsOf(k, step);
-  return fits && fits->other.score - fits->drawn.score > fitted::kSlipGain;
+  return fits && fits->other.score - fits->drawn.score > fitted::kSlip.leastGain;
 }
 
 }  // namespace roomgraph

@@ -1,9 +1,10 @@
 #pragma once
 #include <cstddef>
 
+#include "roomgraph/align/near_poses.h"
 #include "roomgraph/consensus/PoseGraph.h"
 
-/** The figures of the consensus. docs/method.md tells all of them, under the same headings, and a
+/** The figures of the consensus. docs/method.md tells most of them, under the same headings, and a
  *  test holds it to these. They are round numbers, set so that the map errors and their intervals
  *  come out right where the truth is known: `benchmarks/score_accuracy --data DIR` shows what a
  *  change does. */
@@ -20,8 +21,19 @@ constexpr double kScanStride = 2.5;     // longest way from scan to scan [m]
 constexpr std::size_t kMemory = 8;      // scans that may be lost between two that are found
 constexpr std::size_t kCandidates = 4;  // poses of a scan, or of a stretch looked for again
 
-// By how many walls more scans on both sides of a step fit otherwise, where it is wrong as drawn.
-constexpr double kSlipGain = 15, kClearSlipGain = 35;
+// What a run's own scans say of its steps.
+constexpr PoseTolerance kSlipped{0.35, 0.9};  // what ICP is wrong by where it slips
+/** Scans on both sides of a step fit so much better otherwise that it is wrong as it was drawn. */
+struct Contradiction {
+  double mostAsDrawn, leastElsewhere;  // quality
+  double leastGain;                    // walls
+};
+constexpr Contradiction kSlip{kLeastQuality, 0.52, 15}, kClearSlip{0.35, 0.42, 35},
+    kTear{0.15, 0.4, 40};
+constexpr double kMaySpeak = 0.05;  // share of the walls of a scan that can speak against a step
+// Of one scan in what those behind it have drawn, where that shows a slip: how much better it fits
+// there than as it was drawn.
+constexpr double kClearerBehind = 0.25, kGainBehind = 8;
 
 // Links: some for each key frame, and more for the root of a metre, and of a radian [rad].
 constexpr PoseNoise kLinkNoise{0.003, 0.02}, kLinkNoisePerRootMetre{0.004, 0.03};

@@ -13,23 +13,11 @@
 namespace roomgraph {
 namespace {
 
-constexpr PoseTolerance kSlipped{0.35, 0.9};  // what ICP is wrong by where it slips
-
 /** Whether a step by which the scans fit so much better is wrong as it was drawn. */
-struct Contradiction {
-  double mostAsDrawn, leastElsewhere, leastGain;
-
-  bool holds(const ScanFit& drawn, const ScanFit& found) const {
-    return drawn.quality < mostAsDrawn && found.quality > leastElsewhere &&
-           found.score - drawn.score > leastGain;
-  }
-};
-constexpr Contradiction kSlip{fitted::kLeastQuality, 0.52, fitted::kSlipGain},
-    kClearSlip{0.35, 0.42, fitted::kClearSlipGain}, kTear{0.15, 0.4, 40};
-constexpr double kMaySpeak = 0.05;  // share of the walls of a scan that can speak against a step
-// Of one scan in what those behind it have drawn, where that shows a slip: how much better it fits
-// there than as it was drawn.
-constexpr double kClearerBehind = 0.25, kGainBehind = 8;
+bool refutes(const fitted::Contradiction& by, const ScanFit& drawn, const ScanFit& found) {
+  return drawn.quality < by.mostAsDrawn && found.quality > by.leastElsewhere &&
+         found.score - drawn.score > by.leastGain;
+}
 
 class Mender {
  public:
@@ -89,15 +77,17 @@ class Mender {
     if (behind.walls.empty()) return;
     const Transform2D back = result_.poses[k].inverse() * result_.poses[k - 1];
     const ScanFit drawn = asDrawn(scan, behind, back);
-    if (drawn.known < kMaySpeak || drawn.quality + kClearerBehind > 1) return;
-    const std::vector<ScanFit> found = findScan(scan, behind, back, kSlipped, 2);
+    if (drawn.known < fitted::kMaySpeak || drawn.quality + fitted::kClearerBehind > 1) return;
+    const std::vector<ScanFit> found = findScan(scan, behind, back, fitted::kSlipped, 2);
     const auto best = bestOf(found);
     if (best == found.end() || areNear(best->pose, back, {}, kAsDrawn)) return;
     const double gain = best->score - drawn.score;
     if (mendTurn(k, best->pose, gain)) return;
-    const bool mayBe = areNear(best->pose, back, {}, kSlipped) || drawn.quality < kTear.mostAsDrawn;
-    if (!mayBe || best->quality < kMajority || best->quality < drawn.quality + kClearerBehind ||
-        gain < kGainBehind || secondOf(found, *best, drawn) - drawn.score > kRivalScore * gain)
+    const bool mayBe = areNear(best->pose, back, {}, fitted::kSlipped) ||
+                       drawn.quality < fitted::kTear.mostAsDrawn;
+    if (!mayBe || best->quality < kMajority ||
+        best->quality < drawn.quality + fitted::kClearerBehind || gain < fitted::kGainBehind ||
+        secondOf(found, *best, drawn) - drawn.score > kRivalScore * gain)
       return;
     mendBack(k, behind, best->pose);
   }
@@ -109,9 +99,9 @@ class Mender {
   bool mendTurn(std::size_t k, const Transform2D& pose, double gain) {
     const Transform2D slipped = result_.poses[k - 1] * pose.inverse();
     const Transform2D alone = result_.poses[k] * pose;
-    if (turnedGain(k, slipped) + gain > kSlip.leastGain) {
+    if (turnedGain(k, slipped) + gain > fitted::kSlip.leastGain) {
       result_.evidence[k] = mendTo(k, slipped);
-    } else if (turnedGain(k - 1, alone) + gain > kSlip.leastGain) {
+    } else if (turnedGain(k - 1, alone) + gain > fitted::kSlip.leastGain) {
       mendAlone(k - 1, alone);
     } else {
       return false;
@@ -127,12 +117,12 @@ class Mender {
     const auto isTurned = [&](const Transform2D& other) {
       const double turn = std::abs(wrappedAngle(other.phi - as.phi));
       const double shift = distance(other.shift(), as.shift());
-      return turn > kAsDrawn.turn && turn / kSlipped.turn > shift / kSlipped.place;
+      return turn > kAsDrawn.turn && turn / fitted::kSlipped.turn > shift / fitted::kSlipped.place;
     };
     if (!isTurned(pose) || !scans_[k].isTelling()) return kNone;
     const WallMap ahead = sides_.ahead(k, result_.poses);
     if (ahead.walls.empty()) return kNone;
-    const std::vector<ScanFit> found = findScan(scans_[k], ahead, as, kSlipped, 2);
+    const std::vector<ScanFit> found = findScan(scans_[k], ahead, as, fitted::kSlipped, 2);
     const auto best = bestOf(found);
     if (best == found.end() || !isTurned(best->pose) ||
         !areNear(best->pose, pose, {}, kSameScanStart))
@@ -168,15 +158,15 @@ class Mender {
   StepEvidence judge(std::size_t k) {
     const StepView view = sides_.view(k, result_.poses);
     const ScanFit drawn = sides_.weighed(k, view, asDrawn(view.after, ahead_, result_.poses[k]));
-    if (isPossible(k) && drawn.quality >= kSlip.mostAsDrawn)
+    if (isPossible(k) && drawn.quality >= fitted::kSlip.mostAsDrawn)
       return drawn.quality >= kMajority ? StepEvidence::agrees : StepEvidence::none;
-    const bool mayBeTorn = !isPossible(k) || drawn.quality < kTear.mostAsDrawn;
+    const bool mayBeTorn = !isPossible(k) || drawn.quality < fitted::kTear.mostAsDrawn;
     const auto weighed = [&](const ScanFit& fit) { return sides_.weighed(k, view, fit); };
     return decide(k, drawn, mapped(candidates(k, view.after, mayBeTorn), weighed));
   }
 
   std::vector<ScanFit> candidates(std::size_t k, const LocalScan& after, bool mayBeTorn) const {
-    std::vector<ScanFit> found = findScan(after, ahead_, result_.poses[k], kSlipped, 2);
+    std::vector<ScanFit> found = findScan(after, ahead_, result_.poses[k], fitted::kSlipped, 2);
     if (!mayBeTorn) return found;
     for (const ScanFit& fit : findScan(after, ahead_, result_.poses[k - 1], gait_.longest, 4))
       if (gait_.isLikely(result_.poses[k - 1].inverse() * fit.pose, k)) found.push_back(fit);
@@ -184,19 +174,21 @@ class Mender {
   }
 
   StepEvidence decide(std::size_t k, const ScanFit& drawn, const std::vector<ScanFit>& found) {
-    const bool isImpossible = !isPossible(k) && drawn.quality < kSlip.mostAsDrawn;
+    const bool isImpossible = !isPossible(k) && drawn.quality < fitted::kSlip.mostAsDrawn;
     const auto best = bestOf(found);
-    const bool isRefuted = drawn.quality < kTear.mostAsDrawn && drawn.score < -kTear.leastGain / 2;
+    const bool isRefuted =
+        drawn.quality < fitted::kTear.mostAsDrawn && drawn.score < -fitted::kTear.leastGain / 2;
     const StepEvidence unmended = isRefuted ? StepEvidence::lost : StepEvidence::none;
     if (best == found.end()) return isImpossible ? mendTo(k, result_.poses[k - 1]) : unmended;
     if (areNear(best->pose, result_.poses[k], {}, kAsDrawn)) return StepEvidence::none;
     const double second = secondOf(found, *best, drawn);
-    const bool isSlip = areNear(best->pose, result_.poses[k], {}, kSlipped) &&
-                        (kSlip.holds(drawn, *best) || kClearSlip.holds(drawn, *best)) &&
-                        second - drawn.score < kRivalScore * (best->score - drawn.score);
+    const bool isSlip =
+        areNear(best->pose, result_.poses[k], {}, fitted::kSlipped) &&
+        (refutes(fitted::kSlip, drawn, *best) || refutes(fitted::kClearSlip, drawn, *best)) &&
+        second - drawn.score < kRivalScore * (best->score - drawn.score);
     // Where a scan shows what none before it has seen, nothing speaks against the step, however
     // well it fits elsewhere: buildings repeat themselves.
-    const bool isTear = drawn.known >= kMaySpeak && kTear.holds(drawn, *best);
+    const bool isTear = drawn.known >= fitted::kMaySpeak && refutes(fitted::kTear, drawn, *best);
     if (isSlip || isImpossible || isTear) return mendTo(k, best->pose);
     return unmended;
   }
