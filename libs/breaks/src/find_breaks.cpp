@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fitted_breaks.h"
 #include "roomgraph/base/mapped.h"
 #include "roomgraph/base/orders.h"
 #include "roomgraph/base/statistics.h"
@@ -11,18 +12,12 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kMinSteps = 20;  // of a track, to know what is usual
-constexpr double kOutlier = 4;         // times the 95th percentile of the run's other steps
-// In so many steps a break may come about; as many on either side bear it out, and are quiet around
-// a sharp one.
-constexpr std::size_t kFewSteps = 3;
-
 double rotationOf(const ScanBreak& at) { return std::abs(at.rotation); }
 double shiftOf(const ScanBreak& at) { return at.shift; }
 
 /** Whether two breaks begin or end within a few scans of each other. */
 bool areOne(const ScanBreak& l, const ScanBreak& r) {
-  return l.before <= r.behind + kFewSteps && r.before <= l.behind + kFewSteps;
+  return l.before <= r.behind + fitted::kFewSteps && r.before <= l.behind + fitted::kFewSteps;
 }
 
 void addUnlessKnown(const ScanBreak& found, std::vector<ScanBreak>& breaks) {
@@ -42,10 +37,10 @@ class BreakFinder {
   /** Those that stand out of the other steps. */
   std::vector<ScanBreak> sharp() const {
     std::vector<ScanBreak> found;
-    if (steps_.size() < kMinSteps) return found;
-    const double rotation = std::max(options_.minRotation, kOutlier * usual(rotationOf));
-    const double shift = std::max(options_.minShift, kOutlier * usual(shiftOf));
-    for (std::size_t i = kFewSteps; i + kFewSteps < steps_.size(); ++i) {
+    if (steps_.size() < fitted::kMinSteps) return found;
+    const double rotation = std::max(options_.minRotation, fitted::kOutlier * usual(rotationOf));
+    const double shift = std::max(options_.minShift, fitted::kOutlier * usual(shiftOf));
+    for (std::size_t i = fitted::kFewSteps; i + fitted::kFewSteps < steps_.size(); ++i) {
       const ScanBreak& step = steps_[i];
       const bool isTurned = rotationOf(step) >= rotation && isQuietAround(i, rotationOf);
       const bool isMoved = step.shift >= shift && isQuietAround(i, shiftOf);
@@ -58,13 +53,13 @@ class BreakFinder {
    *  kApartRotation or kApartShift. Of those that are one only the sharpest. */
   std::vector<ScanBreak> wide() const {
     std::vector<std::pair<double, ScanBreak>> all;  // by sharpness
-    for (std::size_t from = kFewSteps; from + kFewSteps < track_.size(); ++from)
-      for (std::size_t to = from + 1; to <= from + kFewSteps && to + kFewSteps < track_.size();
-           ++to) {
+    for (std::size_t from = fitted::kFewSteps; from + fitted::kFewSteps < track_.size(); ++from)
+      for (std::size_t to = from + 1;
+           to <= from + fitted::kFewSteps && to + fitted::kFewSteps < track_.size(); ++to) {
         const ScanBreak at = between(from, to);
         const double size = sizeOf(at);
-        if (size >= 1 && sizeOf(between(from, to + kFewSteps)) >= size / 2 &&
-            sizeOf(between(from - kFewSteps, to)) >= size / 2)
+        if (size >= 1 && sizeOf(between(from, to + fitted::kFewSteps)) >= size / 2 &&
+            sizeOf(between(from - fitted::kFewSteps, to)) >= size / 2)
           all.emplace_back(size / std::sqrt(double(to - from)), at);
       }
     sortDownBy(all, [](const auto& one) { return one.first; });
@@ -102,7 +97,7 @@ class BreakFinder {
   }
 
   bool isQuietAround(std::size_t i, double (*size)(const ScanBreak&)) const {
-    for (std::size_t k = i - kFewSteps; k <= i + kFewSteps; ++k)
+    for (std::size_t k = i - fitted::kFewSteps; k <= i + fitted::kFewSteps; ++k)
       if (k != i && size(steps_[k]) > size(steps_[i]) / 2) return false;
     return true;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fitted_breaks.h"
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/base/containers.h"
 #include "roomgraph/base/mapped.h"
@@ -14,9 +15,6 @@
 
 namespace roomgraph {
 namespace {
-
-constexpr PoseTolerance kOfPiece{0.2, 2.4};  // a patch beside its piece; half of both, or one
-constexpr double kMostHeld = 0.02;           // share of near patches of two pieces that may hold
 
 /** The place that `motion` leaves where it is. */
 Point centreOf(const Transform2D& motion) {
@@ -73,8 +71,8 @@ class PieceFinder {
 
   /** How far a patch is from where a piece would have it, 0 to 1; more where it cannot be of it. */
   double misfit(const FollowedPatch& f, const Transform2D& pose) const {
-    return away(f, pose) / kOfPiece.place +
-           std::abs(wrappedAngle(f.pose.phi - pose.phi)) / kOfPiece.turn;
+    return away(f, pose) / fitted::kOfPiece.place +
+           std::abs(wrappedAngle(f.pose.phi - pose.phi)) / fitted::kOfPiece.turn;
   }
 
   /** The two pieces that two seeds grow to; none where one of them comes to be too small. */
@@ -154,7 +152,7 @@ class PieceFinder {
         const double far = distance(middleOf(f), middleOf(g));
         const Point between = midpoint(middleOf(f), middleOf(g));
         if (far < nearest) nearest = far, seam.middle = between;
-        if (far > kPieceReach) continue;
+        if (far > fitted::kPieceReach) continue;
         ++near;
         if (areNear(f.pose, g.pose, between, heldWithin)) ++seam.held;
       }
@@ -178,7 +176,8 @@ class PieceFinder {
     found.pieces = {patchesOf(pieces, larger), patchesOf(pieces, 1 - larger)};
     const double size = isTurned ? std::abs(motion.phi) : found.shift;
     const double bend = isTurned ? pieces.turnBend : pieces.bend;
-    const bool isClear = size >= kPieceContrast * bend && seam.held * bend <= kMostHeld * size;
+    const bool isClear =
+        size >= kPieceContrast * bend && seam.held * bend <= fitted::kMostHeld * size;
     if (!isClear || (!isTurned && size < options_.minShift)) return std::nullopt;
     return found;
   }
@@ -204,13 +203,13 @@ std::vector<std::vector<std::size_t>> rigidPieces(const WallPatches& patches,
   const std::vector<FollowedPatch>& found = followed.patches;
   const auto holdTogether = [&](const FollowedPatch& f, const FollowedPatch& g) {
     const Point a = patches[f.patch].middle, b = patches[g.patch].middle;
-    return distance(a, b) <= kPieceReach &&
+    return distance(a, b) <= fitted::kPieceReach &&
            areNear(f.pose, g.pose, midpoint(a, b), kSameScanAnswer);
   };
   UnionFind sets(found.size());
   const auto middles =
       mapped(found, [&](const FollowedPatch& f) { return patches[f.patch].middle; });
-  const NearPlaces near(middles, kPieceReach);
+  const NearPlaces near(middles, fitted::kPieceReach);
   double all = 0;
   for (std::uint32_t i = 0; i < found.size(); ++i) {
     all += found[i].walls;
@@ -224,8 +223,9 @@ std::vector<std::vector<std::size_t>> rigidPieces(const WallPatches& patches,
   const auto wallsOf = [&](const std::vector<std::size_t>& piece) {
     return piece.empty() ? 0 : walls[piece.front()];  // a set is known by its first member
   };
-  eraseIf(pieces,
-          [&](const auto& piece) { return piece.empty() || wallsOf(piece) < kLeastPiece * all; });
+  eraseIf(pieces, [&](const auto& piece) {
+    return piece.empty() || wallsOf(piece) < fitted::kLeastPiece * all;
+  });
   sortDownBy(pieces, wallsOf);
   return pieces;
 }

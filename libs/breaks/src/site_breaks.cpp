@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fitted_breaks.h"
 #include "roomgraph/align/LocalScan.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/base/majority.h"
@@ -14,8 +15,6 @@
 
 namespace roomgraph {
 namespace {
-
-constexpr std::size_t kWitnesses = 3;  // runs in which the patches of another are looked at
 
 /** Looks for the breaks of one run. */
 class BreakSearch {
@@ -40,7 +39,7 @@ class BreakSearch {
     for (std::size_t j = 0; j < site_.runs.size(); ++j)
       if (j != run_ && followedIn(pairs_, run_, j).share >= kWitnessShare) others.push_back(j);
     sortDownBy(others, [&](std::size_t j) { return trust[j]; });
-    if (others.size() > kWitnesses) others.resize(kWitnesses);
+    if (others.size() > fitted::kWitnesses) others.resize(fitted::kWitnesses);
     return others;
   }
 

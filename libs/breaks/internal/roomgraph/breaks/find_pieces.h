@@ -24,7 +24,8 @@ struct PieceBreak {
   std::array<std::vector<std::size_t>, 2> pieces;  ///< their patches, the larger piece first
 };
 
-/** By how much the break must be more than what the pieces themselves bend. */
+/** By how much the break must be more than what the pieces themselves bend, as
+ *  benchmarks/break_accuracy judges it. */
 constexpr double kPieceContrast = 2.5;
 /** Share of the walls that were found, of the smaller piece. */
 constexpr double kSmallestPiece = 0.15;
@@ -38,9 +39,6 @@ constexpr double kSmallestPiece = 0.15;
  *  bends all along. O(pieces^2 * patches + patches^2). */
 std::optional<PieceBreak> findPieces(const WallPatches& patches, const FollowedWalls& followed,
                                      const FindBreaksOptions& options);
-
-constexpr double kPieceReach = 4.5;   ///< between patches that may hold each other [m]
-constexpr double kLeastPiece = 0.08;  ///< of the walls found, of a piece that counts
 
 /** Patches that hold together, as indices of `followed.patches`, ascending: those that are near by
  *  and whose poses in the other map are kSameScanAnswer, and so on from one to the next.
