@@ -3,17 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "fitted_check.h"
 #include "roomgraph/base/orders.h"
 
 namespace roomgraph {
-namespace {
-
-constexpr std::size_t kMostScans = 12;
-constexpr std::size_t kMaps = 2;              // in which a scan is looked for
-constexpr PoseTolerance kDrift{0.003, 0.02};  // per metre of path
-constexpr PoseTolerance kMostWindow{0.5, 3};
-
-}  // namespace
 
 Passes::Passes(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& poses)
     : scans_(scans), poses_(poses), path_(poses.size()), beside_(poses.size()) {
@@ -29,7 +22,7 @@ void Passes::cut() {
   for (std::size_t k = 0; k < poses_.size(); ++k) {
     const std::size_t count = k + 1 - first;
     const bool isFull = count >= kLeastScans && pathBetween(first, k) >= kLength;
-    if (!isFull && count < kMostScans && k + 1 < poses_.size()) continue;
+    if (!isFull && count < fitted::kMostScans && k + 1 < poses_.size()) continue;
     passes_.push_back({first, k + 1, {}});
     first = k + 1;
   }
@@ -48,8 +41,8 @@ std::size_t Passes::nearestScan(const Pass& pass, Point place) const {
 
 PoseTolerance Passes::windowOf(std::size_t k, const Pass& pass) const {
   const double path = pathTo(k, pass);
-  return {std::min(kMostWindow.turn, kSteadyTrack.turn + kDrift.turn * path),
-          std::min(kMostWindow.place, kSteadyTrack.place + kDrift.place * path)};
+  return {std::min(fitted::kMostWindow.turn, kSteadyTrack.turn + fitted::kDrift.turn * path),
+          std::min(fitted::kMostWindow.place, kSteadyTrack.place + fitted::kDrift.place * path)};
 }
 
 void Passes::chooseFor(std::size_t k) {
@@ -64,7 +57,7 @@ void Passes::chooseFor(std::size_t k) {
       near.emplace_back(way, s);
   }
   std::sort(near.begin(), near.end());
-  for (std::size_t i = 0; i < std::min(kMaps, near.size()); ++i)
+  for (std::size_t i = 0; i < std::min(fitted::kMaps, near.size()); ++i)
     beside_[k].push_back(near[i].second);
 }
 

@@ -5,14 +5,13 @@
 #include <set>
 
 #include "Passes.h"
+#include "fitted_check.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/orders.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kMoreBeams = 1.4;  // times as many through walls: by few they may differ
 
 bool isThrough(const WallMap& map, std::size_t cell, Point place, Point normal) {
   if (map.states[cell] != State::free) return false;
@@ -40,8 +39,6 @@ bool isOverlaid(const BeamsThroughWalls& beams) {
          double(beams.through) > kMajority * double(beams.walls);
 }
 
-constexpr std::size_t kLeastPairs = 6;  // one or the other may have seen people, or through glass
-
 std::size_t scansIn(const std::vector<ScanPair>& pairs) {
   std::set<std::size_t> scans;
   for (const ScanPair& pair : pairs) scans.insert({pair.one, pair.other});
@@ -49,7 +46,7 @@ std::size_t scansIn(const std::vector<ScanPair>& pairs) {
 }
 
 bool areEnough(const std::vector<ScanPair>& pairs) {
-  return pairs.size() >= kLeastPairs && scansIn(pairs) >= kLeastPairs;
+  return pairs.size() >= fitted::kLeastPairs && scansIn(pairs) >= fitted::kLeastPairs;
 }
 
 WeldedPlace placeOf(const std::vector<ScanPair>& pairs, const Run& run) {
@@ -87,7 +84,7 @@ BeamsThroughWalls beamsThroughWalls(const std::vector<LocalScan>& scans,
 }
 
 bool seesThroughMore(const BeamsThroughWalls& drawn, const BeamsThroughWalls& agreed) {
-  return drawn.share() && agreed.share() && *agreed.share() > kMoreBeams * *drawn.share();
+  return drawn.share() && agreed.share() && *agreed.share() > fitted::kMoreBeams * *drawn.share();
 }
 
 std::vector<WeldedPlace> findWelded(const Run& run, const BeamsThroughWalls& drawn,

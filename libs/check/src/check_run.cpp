@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "find_doubled.h"
+#include "fitted_check.h"
 #include "roomgraph/base/orders.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/check/beams_through_walls.h"
@@ -15,9 +16,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kSeenBeside = 2;   // scans
-constexpr double kLeastSeenTwice = 0.1;  // share of the path, to tell of a run without a break
-
 /** Of steps that were drawn wrong, by how much nothing tells, the first of each series; without
  *  those next to a step that is known to be broken. */
 std::vector<std::size_t> lostSteps(const std::vector<StepEvidence>& evidence,
@@ -26,7 +24,7 @@ std::vector<std::size_t> lostSteps(const std::vector<StepEvidence>& evidence,
   for (std::size_t k = 1; k < evidence.size(); ++k)
     if (evidence[k] == StepEvidence::lost && evidence[k - 1] != StepEvidence::lost &&
         std::none_of(broken.begin(), broken.end(), [&](std::size_t other) {
-          return std::max(k, other) - std::min(k, other) <= kSeenBeside;
+          return std::max(k, other) - std::min(k, other) <= fitted::kSeenBeside;
         }))
       lost.push_back(k);
   return lost;
@@ -80,8 +78,9 @@ void addFaults(const Run& run, const std::vector<LocalScan>& scans, const Mended
 
 /** Whether a scan was found again, or one of those beside it, which see the same walls. */
 bool isSeenBeside(const std::vector<bool>& isSeen, std::size_t k) {
-  const auto first = isSeen.begin() + std::ptrdiff_t(k - std::min(k, kSeenBeside));
-  const auto end = isSeen.begin() + std::ptrdiff_t(std::min(isSeen.size(), k + kSeenBeside + 1));
+  const auto first = isSeen.begin() + std::ptrdiff_t(k - std::min(k, fitted::kSeenBeside));
+  const auto end =
+      isSeen.begin() + std::ptrdiff_t(std::min(isSeen.size(), k + fitted::kSeenBeside + 1));
   return std::find(first, end, true) != end;
 }
 
@@ -111,7 +110,7 @@ std::string sentenceOf(const RunCheck& check, bool isRefuted) {
         "cannot tell: the run breaks before key frame %zu, and too little was seen from both sides "
         "of its breaks to say how its parts lie to each other",
         *check.breaks.front().keyFrame);
-  if (!check.selfError && check.seenTwice > kLeastSeenTwice)
+  if (!check.selfError && check.seenTwice > fitted::kLeastSeenTwice)
     return formatted(
         "cannot tell: %.0f %% of its path was seen twice, and these revisits contradict each other",
         percent);
@@ -185,7 +184,7 @@ RunCheck checkRun(const Run& run) {
   const bool isBlind = !check.welded.empty() && agreed.error.error < kBreakShift;
   const bool isRefuted = agreed.error.low > 0 && seesThroughMore(beams, agreedBeams);
   if (check.isConfirmed && !isBlind && !isRefuted &&
-      (check.seenTwice > kLeastSeenTwice || !check.breaks.empty())) {
+      (check.seenTwice > fitted::kLeastSeenTwice || !check.breaks.empty())) {
     check.selfError = agreed.error.error;
     check.low = agreed.error.low, check.high = agreed.error.high;
   }

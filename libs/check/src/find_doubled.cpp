@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fitted_check.h"
 #include "roomgraph/align/LocalScan.h"
 #include "roomgraph/base/containers.h"
 #include "roomgraph/base/majority.h"
@@ -70,7 +71,8 @@ class DoubledPlaces {
       return std::any_of(group.begin(), group.end(),
                          [&](const ScanPair& seen) { return path_.areBeside(miss, seen); });
     });
-    return group.size() >= kLeastAcross && group.size() > kFitsPerMiss * std::size_t(misses);
+    return group.size() >= fitted::kLeastAcross &&
+           group.size() > fitted::kFitsPerMiss * std::size_t(misses);
   }
 
   DoubledPlace placeOf(const std::vector<ScanPair>& group) const {

@@ -3,14 +3,13 @@
 #include <optional>
 
 #include "Passes.h"
+#include "fitted_check.h"
 #include "roomgraph/align/wall_share.h"
 #include "roomgraph/base/containers.h"
 #include "roomgraph/base/majority.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kLeastScore = 8, kLeastHold = 0.08;
 
 class Finder {
  public:
@@ -45,7 +44,8 @@ class Finder {
   }
 
   static bool isGood(const ScanFit& fit) {
-    return fit.score >= kLeastScore && fit.quality >= kMajority && fit.hold >= kLeastHold;
+    return fit.score >= fitted::kLeastScore && fit.quality >= kMajority &&
+           fit.hold >= fitted::kLeastHold;
   }
 
   std::optional<Transform2D> findIn(std::size_t k, const Pass& pass) const {

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "fitted_check.h"
 #include "roomgraph/check/find_revisits.h"
 #include "roomgraph/consensus/belief.h"
 #include "roomgraph/consensus/solve_pose_graph.h"
@@ -86,10 +87,10 @@ bool isConfirmed(const SelfConsensus& consensus, const std::vector<std::size_t>&
     std::set<std::size_t> before, behind;
     for (const auto& [earlier, later] : fits)
       if (earlier < k && k <= later) before.insert(earlier), behind.insert(later);
-    return before.size() >= std::min(kLeastAcross, k) &&
-           behind.size() >= std::min(kLeastAcross, consensus.poses.size() - k);
+    return before.size() >= std::min(fitted::kLeastAcross, k) &&
+           behind.size() >= std::min(fitted::kLeastAcross, consensus.poses.size() - k);
   };
-  return fits.size() > kFitsPerMiss * (consensus.revisits.size() - fits.size()) &&
+  return fits.size() > fitted::kFitsPerMiss * (consensus.revisits.size() - fits.size()) &&
          std::all_of(breaks.begin(), breaks.end(), isSeenAcross);
 }
 

@@ -28,9 +28,6 @@ bool isBorneOut(const PoseEdge& revisit, const std::vector<Transform2D>& poses);
 SelfConsensus selfConsensus(const Run& run, const std::vector<LocalScan>& scans,
                             const MendedSteps& mended);
 
-constexpr std::size_t kLeastAcross = 2;  ///< scans that bear out how two times lie to each other
-constexpr std::size_t kFitsPerMiss = 2;  ///< revisits that fit for each that does not
-
 /** Whether a run may be laid as its self-consensus has it: of what was seen twice much more fits
  *  there than does not, and of each break (the place in `consensus.poses` of the first scan behind
  *  it) two scans on either side were seen from the other side and fit. Without that a break may be
