@@ -1,4 +1,6 @@
 #pragma once
+#include <cmath>
+#include <cstddef>
 
 /** What the alignment was fitted to: the pairs that benchmarks/alignment_accuracy writes with
  *  --features. Where no command is named, that benchmark judges. */
@@ -31,5 +33,15 @@ constexpr double kRivalMargin = 4;
 /** Metres of wall that hold a sure pose in its weakest direction, else it may slide: of the four
  *  sure answers held by less than 3 m two were right; all others were held by 8 m or more. */
 constexpr double kHeld = 5;
+
+// What walls tell of a map by themselves: `benchmarks/map_baselines --data DIR` shows how it agrees
+// with true errors.
+constexpr double kFarthestCopy = 0.8;        // from one copy of a wall to the other [m]
+constexpr double kDirectionReach = 1.5;      // of the walls that give a direction [m]
+constexpr double kThickness = 0.25;          // of a wall, with its roughness [m]
+constexpr double kMaxRoughness = 0.022;      // variance across over variance along
+constexpr std::size_t kMinDirections = 100;  // walls that tell of right angles
+constexpr double kAlike = M_PI / 60;  // directions that differ by less are those of parallel walls
+constexpr double kLeastShare = 0.15;  // of the walls that have a direction in common
 
 }  // namespace roomgraph::fitted

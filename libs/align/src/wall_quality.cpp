@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numeric>
 
+#include "fitted_align.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/align/scan_walls.h"
 #include "roomgraph/base/mapped.h"
@@ -15,29 +16,20 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kFarthestCopy = 0.8;  // from one copy to the other [m]
-
 bool isCopy(const WallPoint& wall, const WallPoint& other) {
   const Point off = other.place - wall.place;
   const double ahead = std::abs(dot(off, wall.normal));
-  return ahead >= kSameWall && ahead <= kFarthestCopy &&
+  return ahead >= kSameWall && ahead <= fitted::kFarthestCopy &&
          std::abs(cross(wall.normal, off)) <= kWallNoise &&
          dot(wall.normal, other.normal) >= kFacesAlike;
 }
-
-constexpr double kDirectionReach = 1.5;  // of the walls that give a direction [m]
-constexpr double kThickness = 0.25;      // of a wall, with its roughness [m]
-constexpr double kMaxRoughness = 0.022;  // variance across over variance along
-constexpr std::size_t kMinDirections = 100;
-constexpr double kAlike = M_PI / 60;  // directions that differ by less are those of parallel walls
-constexpr double kLeastShare = 0.15;  // of the walls that have a direction in common
 
 /** The direction in which the places lie [rad]; none where that is no line, or one that is shorter
  *  than their reach: such a line has a twelfth of its square as its variance. */
 std::optional<double> directionOf(const PointSums& places) {
   const PrincipalAxis axis = principalAxis(places);
-  if (axis.along < kDirectionReach * kDirectionReach / 12 ||
-      axis.across > kMaxRoughness * axis.along)
+  if (axis.along < fitted::kDirectionReach * fitted::kDirectionReach / 12 ||
+      axis.across > fitted::kMaxRoughness * axis.along)
     return std::nullopt;
   return axis.direction;
 }
@@ -47,8 +39,8 @@ std::optional<double> directionAt(const std::vector<WallPoint>& walls, const Nea
   PointSums near;
   index.forEachNear(wall.place, [&](std::uint32_t i) {
     const Point off = walls[i].place - wall.place;
-    if (dot(walls[i].normal, wall.normal) >= kFacesAlike && norm(off) <= kDirectionReach &&
-        std::abs(dot(off, wall.normal)) <= kThickness)
+    if (dot(walls[i].normal, wall.normal) >= kFacesAlike && norm(off) <= fitted::kDirectionReach &&
+        std::abs(dot(off, wall.normal)) <= fitted::kThickness)
       near.add(off);
   });
   return directionOf(near);
@@ -85,7 +77,7 @@ bool hasCopy(const WallMap& map, const WallPoint& wall) {
     return other && isCopy(wall, *other);
   };
   double along = kSameWall;
-  while (along <= kFarthestCopy) {
+  while (along <= fitted::kFarthestCopy) {
     if (isCopyAt(along) || isCopyAt(-along)) return true;
     along += map.frame.resolution;
   }
@@ -100,7 +92,7 @@ std::optional<double> wallDoubling(const WallMap& map) {
 }
 
 std::vector<double> wallDirections(const std::vector<WallPoint>& walls) {
-  const NearPlaces index(mapped(walls, &WallPoint::place), kDirectionReach);
+  const NearPlaces index(mapped(walls, &WallPoint::place), fitted::kDirectionReach);
   std::vector<double> directions;
   for (const WallPoint& wall : walls)
     if (const auto direction = directionAt(walls, index, wall)) directions.push_back(*direction);
@@ -114,16 +106,16 @@ std::optional<double> mainDirection(std::vector<double> directions) {
   for (std::size_t i = 0; i < count; ++i) directions.push_back(directions[i] + M_PI / 2);
   std::size_t most = 0, from = 0, end = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    while (end < i + count && directions[end] <= directions[i] + kAlike) ++end;
+    while (end < i + count && directions[end] <= directions[i] + fitted::kAlike) ++end;
     if (end - i > most) most = end - i, from = i;
   }
-  if (count == 0 || double(most) < kLeastShare * double(count)) return std::nullopt;
+  if (count == 0 || double(most) < fitted::kLeastShare * double(count)) return std::nullopt;
   const auto first = directions.begin() + std::ptrdiff_t(from);
   return std::accumulate(first, first + std::ptrdiff_t(most), 0.0) / double(most);
 }
 
 std::optional<double> axisDeviation(std::vector<double> directions) {
-  if (directions.size() < kMinDirections) return std::nullopt;
+  if (directions.size() < fitted::kMinDirections) return std::nullopt;
   double cosine = 0, sine = 0;
   for (const double direction : directions)
     cosine += std::cos(4 * direction), sine += std::sin(4 * direction);  // all axes as one

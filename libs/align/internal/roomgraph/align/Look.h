@@ -12,6 +12,7 @@ struct Look {
   int verifyPoints = 0;  ///< wall points of each map that are looked up in the other at last
 };
 
+// `benchmarks/alignment_accuracy --data DIR` judges them.
 constexpr Look kGlance{{0.6, 0.4, 4}, 100, 0.2, 150};      ///< at each hypothesis
 constexpr Look kSecondLook{{0.4, 0.3, 3}, 250, 0.2, 400};  ///< at the best of them
 /** For a pose that is to be as good as it can be. */

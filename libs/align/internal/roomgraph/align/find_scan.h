@@ -48,7 +48,7 @@ inline std::vector<ScanFit>::const_iterator bestOf(const std::vector<ScanFit>& f
                           [](const ScanFit& l, const ScanFit& r) { return l.score < r.score; });
 }
 
-// The search for a scan in a map, or in another scan.
+// The search for a scan in a map, or in another scan, as `benchmarks/score_accuracy` judges it.
 constexpr NarrowingBand kScanBand{0.6, kSameWall, 7};
 constexpr std::size_t kTries = 6;  // poses of the search that are looked at closely
 

@@ -4,6 +4,9 @@
 
 namespace roomgraph {
 
+// Of runs with scans `benchmarks/score_accuracy --data DIR` shows what a change does, of pictures
+// `benchmarks/alignment_accuracy --data DIR`.
+
 /** Wall points that speak against each pose beforehand, so that few found ones prove little. */
 constexpr double kDoubt = 5;
 /** Fewer tell no pose of their own. */
