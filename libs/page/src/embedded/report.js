@@ -178,8 +178,8 @@
       group.append("title").text(runs[i].name);
       group.append("path").attr("d", draw(lines[i])).attr("fill", "none").attr("stroke", runs[i].colour)
         .attr("stroke-width", 1.6);
-      data.breaks.filter((bend) => bend.run === runs[i].name && bend.key_frame !== null).forEach((bend) => {
-        const k = runs[i].path.findIndex((at) => at.key_frame >= bend.key_frame);
+      data.breaks.filter((tear) => tear.run === runs[i].name && tear.key_frame !== null).forEach((tear) => {
+        const k = runs[i].path.findIndex((at) => at.key_frame >= tear.key_frame);
         if (k >= 0) group.append("path").attr("d", runs[i].shape).attr("fill", runs[i].colour)
           .attr("transform", "translate(" + x(lines[i][k][0]) + "," + y(lines[i][k][1] || 0) + ")");
       });

@@ -210,9 +210,9 @@
     if (isOn("paths")) shown.forEach((i) => data.runs[i].path.forEach((to, k, path) => k > 0 &&
       frame.append(drawing("polyline", {points: points([[path[k - 1].x, path[k - 1].y], [to.x, to.y]]),
         fill: "none", "stroke-width": 2, stroke: colourOfError(to.error_m)}))));
-    if (isOn("breaks")) data.breaks.forEach((bend) => shown.includes(placeOf.get(bend.run)) &&
-      frame.append(drawing("path", {d: "M0,-10.5L11,9H-11Z", fill: data.runs[placeOf.get(bend.run)].colour,
-        stroke: "#fff", transform: "translate(" + x(bend.x) + "," + y(bend.y) + ")"})));
+    if (isOn("breaks")) data.breaks.forEach((tear) => shown.includes(placeOf.get(tear.run)) &&
+      frame.append(drawing("path", {d: "M0,-10.5L11,9H-11Z", fill: data.runs[placeOf.get(tear.run)].colour,
+        stroke: "#fff", transform: "translate(" + x(tear.x) + "," + y(tear.y) + ")"})));
     shown.forEach((i, row) => svg.append(drawing("path", {d: data.runs[i].shape, fill: data.runs[i].colour,
       transform: "translate(14," + (size.y + 14 + 18 * row) + ")"}),
     drawing("text", {x: 28, y: size.y + 18 + 18 * row, fill: "#17202e"}, data.runs[i].name)));
@@ -292,8 +292,8 @@
     });
     const room = data.rooms.findIndex((one) => one.id === said.get("room"));
     if (room >= 0 && room !== chosen) choose(room, "row");
-    const bend = Number(said.get("break")) - 1;
-    if (data.breaks[bend]) chooseBreak(bend);
+    const tear = Number(said.get("break")) - 1;
+    if (data.breaks[tear]) chooseBreak(tear);
     const [x, y, zoom] = numbers("view");
     if (said.has("view") && [x, y, zoom].every(Number.isFinite)) {
       isWhole = false;
