@@ -35,7 +35,7 @@ class DoubledPlaces {
         path_(run.scans) {
     for (const PoseEdge& edge : consensus.revisits) {
       ScanPair seen = scanPair(edge.from.index(), edge.to.index());
-      if (!isBorneOut(edge, agreed_))
+      if (!isInlier(edge, agreed_))
         refuted_.push_back(seen);
       else if (seen.apart = apart(seen, drawn_); isTold(seen))
         told_.push_back(seen);
@@ -45,7 +45,7 @@ class DoubledPlaces {
   std::vector<DoubledPlace> places() const {
     std::vector<DoubledPlace> places;
     for (const std::vector<ScanPair>& group : path_.grouped(told_))
-      if (isBorneOutAsAWhole(group)) places.push_back(placeOf(group));
+      if (areMostlyInliers(group)) places.push_back(placeOf(group));
     sortDownBy(places, &DoubledPlace::apart);
     return places;
   }
@@ -66,7 +66,7 @@ class DoubledPlaces {
   }
 
   /** In a building that repeats itself much is found, and little of it together. */
-  bool isBorneOutAsAWhole(const std::vector<ScanPair>& group) const {
+  bool areMostlyInliers(const std::vector<ScanPair>& group) const {
     const auto misses = std::count_if(refuted_.begin(), refuted_.end(), [&](const ScanPair& miss) {
       return std::any_of(group.begin(), group.end(),
                          [&](const ScanPair& seen) { return path_.areBeside(miss, seen); });

@@ -55,7 +55,7 @@ MapError errorOf(const Run& run, const std::vector<Revisit>& revisits,
 
 }  // namespace
 
-bool isBorneOut(const PoseEdge& revisit, const std::vector<Transform2D>& poses) {
+bool isInlier(const PoseEdge& revisit, const std::vector<Transform2D>& poses) {
   const Transform2D found = poses[revisit.from.index()].inverse() * poses[revisit.to.index()];
   return areNear(revisit.measured, found, {}, kNextPatch);
 }
@@ -81,7 +81,7 @@ SelfConsensus selfConsensus(const Run& run, const std::vector<LocalScan>& scans,
 bool isConfirmed(const SelfConsensus& consensus, const std::vector<std::size_t>& breaks) {
   std::vector<std::pair<std::size_t, std::size_t>> fits;
   for (const PoseEdge& edge : consensus.revisits)
-    if (isBorneOut(edge, consensus.poses))
+    if (isInlier(edge, consensus.poses))
       fits.push_back(std::minmax(edge.from.index(), edge.to.index()));
   const auto isSeenAcross = [&](std::size_t k) {
     std::set<std::size_t> before, behind;

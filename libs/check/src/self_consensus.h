@@ -21,7 +21,7 @@ struct SelfConsensus {
 };
 
 /** Whether a revisit lies where the key frames are at `poses`. */
-bool isBorneOut(const PoseEdge& revisit, const std::vector<Transform2D>& poses);
+bool isInlier(const PoseEdge& revisit, const std::vector<Transform2D>& poses);
 
 /** Looks for revisits and solves the pose graph of mended steps and revisits, and once more with
  *  the revisits that are found from there. */

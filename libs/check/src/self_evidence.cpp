@@ -35,7 +35,7 @@ std::optional<double> revisitsApart(const std::vector<PoseEdge>& revisits,
 Evidence revisitsApart(const Run& run, const SelfConsensus& consensus) {
   std::vector<PoseEdge> fit;
   std::copy_if(consensus.revisits.begin(), consensus.revisits.end(), std::back_inserter(fit),
-               [&](const PoseEdge& edge) { return isBorneOut(edge, consensus.poses); });
+               [&](const PoseEdge& edge) { return isInlier(edge, consensus.poses); });
   return {"revisits_apart",
           "90th percentile of how far revisits are from where they were drawn",
           "m",
