@@ -150,11 +150,13 @@ class ClutterPasser {
 /** The middle of the part of an edge that leads on from both of its ends [m]. */
 std::optional<double> leadingOn(const TopologyGraph& graph, const Edge& edge,
                                 const LeadsOn& leadsOn) {
+  const Path& path = edge.path;
   std::optional<double> first;
   double along = 0, last = 0;
-  for (std::size_t i = 1; i + 1 < edge.path.points.size(); ++i) {
-    along += distance(edge.path.points[i - 1], edge.path.points[i]);
-    const Vertex place{edge.path.points[i], clearanceAt(edge.path, along), {}, {}};
+  for (std::size_t i = 1; i < path.obstacles.size(); ++i) {
+    const Point on = path.points[i];
+    along += distance(path.points[i - 1], on);
+    const Vertex place{on, distance(on, path.obstacles[i - 1]), {}, {}};
     if (!leadsOn(place, graph.vertex(edge.source)) || !leadsOn(place, graph.vertex(edge.target)))
       continue;
     if (!first) first = along;

@@ -21,8 +21,8 @@ using PlaceTest = std::function<bool(Point)>;  ///< whether something is true of
  *  between them.
  *
  *  Ways round anything that is not `isClutter`, asked for places of obstacles, stay. A loop that
- *  begins and ends at one junction goes. But of what enters a region, that neither of its ends lies
- *  in, one half stays. Nothing is parted. O(rounds * n log n). */
+ *  begins and ends at one junction goes. But one half stays of a way through a region that neither
+ *  of its ends lies in. Nothing is parted. O(rounds * n log n). */
 [[nodiscard]] TopologyGraph passClutter(TopologyGraph graph, const PlaceTest& isClutter,
                                         const ObstacleRows& walls, const DeadEndsOptions& options,
                                         const LeadsOn& leadsOn);
