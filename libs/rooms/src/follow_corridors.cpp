@@ -17,14 +17,15 @@ namespace {
  *  half turn from each other: its cosine. */
 constexpr double kSameSide = 0.5;
 
-/** Those of a region that may lead on along a corridor. */
+/** Those that lead on from a region, to corridor or to what may be a piece of it. */
 struct Ways {
-  std::vector<Point> directions, besidesDoors;  // unit vectors out of it; but through doors
-  bool areNarrow = true;                        // all of them part even pieces of corridor
+  std::vector<Point> directions;    // unit vectors out of it
+  std::vector<Point> besidesDoors;  // the same without those through doors of a room
+  bool areNarrow = true;            // each would be a door even between two pieces of corridor
 };
 using WaysOn = std::map<std::uint32_t, Ways>;  // by region
 
-/** Two pieces of corridor have a door between them. */
+/** Whether a passage is a door even between two pieces of corridor. */
 bool isDoorOfPieces(const RegionGroups& regions, double clearance, std::uint32_t a,
                     std::uint32_t b) {
   return isDoor(regions, clearance, a, b, regions.options().corridorRatio,

@@ -5,7 +5,7 @@ namespace roomgraph {
 
 // Ours
 // In:   an opening, and the map without clutter
-// Out:  whether its wall goes on beside it, and whether it is in the side of a corridor
+// Out:  whether its wall goes on beside it, and whether it is in a corridor's side, or across one
 // Next: findFronts, splitAtDoors, passageEvidence
 
 /** Whether none of so many places is free, from the next one on in steps. O(count). */
