@@ -49,6 +49,15 @@ TEST(IsInWall, aWallIsThinnerThanTheOpeningIsWide) {
   EXPECT_FALSE(goesOnIn(kBlock, isInWall));
 }
 
+TEST(IsInRoughWall, theWallMayLeaveTheLineByACell) {
+  const std::vector<std::string> turned = {".......####", "####...#...", "..........."};
+  const std::vector<std::string> gap = {".......#..#", "####...#..#", "..........."};
+  EXPECT_FALSE(goesOnIn(turned, isInWall));
+  EXPECT_TRUE(goesOnIn(turned, isInRoughWall));
+  EXPECT_FALSE(goesOnIn(gap, isInRoughWall));
+  EXPECT_FALSE(goesOnIn(kUnknown, isInRoughWall));
+}
+
 TEST(IsInLongSide, itsSpaceIsLongBesideTheWallAndNotBehindIt) {
   // An opening of three cells in the wall below a space: one as long as 30 cells, or 12; behind it
   // are 6 cells, or 40.
@@ -68,7 +77,7 @@ TEST(IsInLongSide, itsSpaceIsLongBesideTheWallAndNotBehindIt) {
   EXPECT_FALSE(isOne(30, 40));
 }
 
-TEST(IsAcrossOneWidth, aDoorInACorridorIsAndOneInItsSideIsNot) {
+TEST(IsAcrossCorridor, aDoorInACorridorIsAndOneInItsSideIsNot) {
   // A door of three cells, with spaces on both sides of its wall, so many cells wide each.
   const auto isOne = [](std::size_t before, std::size_t behind) {
     const auto row = [](std::size_t width) {
@@ -79,10 +88,11 @@ TEST(IsAcrossOneWidth, aDoorInACorridorIsAndOneInItsSideIsNot) {
     rows.push_back(row(3));
     rows.insert(rows.end(), 6, row(behind));
     const Grid grid = gridOf(drawn(rows, 1));
-    return isAcrossOneWidth(grid, grid.frame.center({18, 6}), grid.frame.center({22, 6}));
+    return isAcrossCorridor(grid, grid.frame.center({18, 6}), grid.frame.center({22, 6}));
   };
   EXPECT_TRUE(isOne(10, 10));
   EXPECT_TRUE(isOne(10, 13));
+  EXPECT_TRUE(isOne(4, 30)) << "the mouth of a corridor";
   EXPECT_FALSE(isOne(10, 30));
   EXPECT_FALSE(isOne(30, 10));
 }

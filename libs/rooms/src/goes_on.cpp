@@ -18,6 +18,17 @@ int halfWidth(const Grid& grid, Point end, Point other) {
   return int(distance(end, other) / 2 / grid.frame.resolution * (1 + kSameWidth));
 }
 
+/** As goesOn, to a cell on either side. */
+bool goesOnNearby(const Grid& grid, Point end, Point other) {
+  const Point out = stepOut(grid, end, other), across = toLeft(out);
+  const int places = halfWidth(grid, end, other);
+  for (int i = 1; i <= places; ++i) {
+    const Point p = end + double(i) * out;
+    if (grid.isFree(p) && grid.isFree(p + across) && grid.isFree(p - across)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool isNowhereFree(const Grid& grid, Point start, Point step, int count) {
@@ -58,8 +69,12 @@ bool isMostlyWall(const Grid& grid, Point end, Point other) {
 }
 
 bool isInWall(const Grid& grid, Point from, Point to) {
-  return goesOn(grid, from, to) && goesOn(grid, to, from) && isMostlyWall(grid, from, to) &&
-         isMostlyWall(grid, to, from);
+  return goesOn(grid, from, to) && goesOn(grid, to, from) && isInRoughWall(grid, from, to);
+}
+
+bool isInRoughWall(const Grid& grid, Point from, Point to) {
+  return goesOnNearby(grid, from, to) && goesOnNearby(grid, to, from) &&
+         isMostlyWall(grid, from, to) && isMostlyWall(grid, to, from);
 }
 
 bool isInLongSide(const Grid& grid, Point from, Point to, double elongation) {
@@ -73,9 +88,10 @@ bool isInLongSide(const Grid& grid, Point from, Point to, double elongation) {
   return false;
 }
 
-bool isAcrossOneWidth(const Grid& grid, Point from, Point to) {
+bool isAcrossCorridor(const Grid& grid, Point from, Point to) {
   const Point along = stepOut(grid, to, from), middle = midpoint(from, to);
-  const Point out = double(halfWidth(grid, to, from)) * toLeft(along);
+  const int half = halfWidth(grid, to, from);
+  const Point out = double(half) * toLeft(along);
   const auto lengthAt = [&](Point p) {
     return 1 + freeRun(grid, p, along) + freeRun(grid, p, -1 * along);
   };
@@ -84,7 +100,7 @@ bool isAcrossOneWidth(const Grid& grid, Point from, Point to) {
     return std::min(lengthAt(middle + side * out), lengthAt(middle + 2 * side * out));
   };
   const auto [least, most] = std::minmax({width(1), width(-1)});
-  return most <= std::sqrt(2.0) * least;
+  return most <= std::sqrt(2.0) * least || least <= std::sqrt(2.0) * 2 * half;
 }
 
 }  // namespace roomgraph

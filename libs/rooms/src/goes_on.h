@@ -25,13 +25,18 @@ bool isMostlyWall(const Grid& grid, Point end, Point other);
 /** Whether both are so at both ends. */
 bool isInWall(const Grid& grid, Point from, Point to);
 
+/** The same, but the wall goes on to a cell on either side, as far as the ends are known: a thin
+ *  one that is turned or ragged leaves the line of its opening. */
+bool isInRoughWall(const Grid& grid, Point from, Point to);
+
 /** Whether an opening is in the side of a corridor: through its middle, and beside the wall half as
  *  deep, the free space on one of its sides is `elongation` times as long as deep, and longer than
  *  that on the other is deep. O(length in cells). */
 bool isInLongSide(const Grid& grid, Point from, Point to, double elongation);
 
 /** Whether what lies on both sides of an opening is about as wide, there, as a corridor is on both
- *  sides of a door in it. O(length in cells). */
-bool isAcrossOneWidth(const Grid& grid, Point from, Point to);
+ *  sides of a door in it, or hardly wider than the opening, as a corridor that ends there. O(length
+ *  in cells). */
+bool isAcrossCorridor(const Grid& grid, Point from, Point to);
 
 }  // namespace roomgraph
