@@ -5,7 +5,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   WatchedSite
 // Out:  an SVG picture
 // Next: historyPage

@@ -8,7 +8,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   an archive, and Comparison
 // Out:  the site anew, where more runs agree with each other than it has
 // Next: Archive::record

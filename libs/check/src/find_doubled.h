@@ -8,7 +8,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   SelfConsensus and the breaks that follow from it
 // Out:  DoubledPlace
 // Next: RunCheck

@@ -8,7 +8,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the scans of a run, and MendedSteps
 // Out:  SelfConsensus, and whether what was seen twice bears it out
 // Next: repairAlone

@@ -9,7 +9,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   a run, its mended steps, and its self-consensus
 // Out:  the table of evidence
 // Next: RunCheck

@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   a site with a reference
 // Out:  ReferenceFaults
 // Next: summarize

@@ -3,7 +3,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   PoseGraph
 // Out:  CoarseGraph
 // Next: solvePoseGraph, finePoses

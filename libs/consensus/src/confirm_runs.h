@@ -10,7 +10,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Site, Consensus
 // Out:  what of each run others bear out, in its MapError
 // Next: scoreRuns

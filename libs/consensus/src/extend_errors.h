@@ -8,7 +8,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Consensus, and the scans of each run
 // Out:  how far each scan is off on its own, and how large each run has drawn the site, in its
 //       MapError

@@ -8,7 +8,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   what was not found of a run, and another map
 // Out:  where it may lie there
 // Next: trackScans

@@ -10,7 +10,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Site, MapPairs, PoseGraph without matches
 // Out:  FoundGroup
 // Next: findConsensus, addToConsensus

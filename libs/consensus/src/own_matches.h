@@ -8,7 +8,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   a run with scans
 // Out:  FoundGroup
 // Next: findConsensus

@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Site, Consensus
 // Out:  its poses, by what each scan shows where they have it
 // Next: repairRuns, mergeRuns, carryPlaces

@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   a PoseGraph whose nodes know how their walls are turned
 // Out:  WallAxes
 // Next: solvePoseGraph

@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   SiteAreas
 // Out:  ConsensusRooms
 // Next: siteRooms

@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   a room, and the areas of a run
 // Out:  ShapeFit for each area that may be the room
 // Next: matchAreas, consensusRooms

@@ -5,7 +5,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the rooms of a site, and the areas of one run
 // Out:  AreaMatch for each room
 // Next: siteRooms, nameRooms

@@ -9,7 +9,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the runs of a site, placed, with their graphs
 // Out:  MeasuredValue
 // Next: measureSite

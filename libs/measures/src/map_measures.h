@@ -9,7 +9,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   a run, alone or among the others
 // Out:  MeasuredValue
 // Next: measureSite

@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the rooms of the runs of a site, placed
 // Out:  MeasuredValue
 // Next: measureSite

@@ -21,7 +21,6 @@ GridFrame siteFrame(const Site& site);
 /** Whether a run has seen free space at `p` [m, frame of the map]. */
 bool isFreeIn(const WallMap& map, Point p);
 
-// Ours
 // In:   the runs of a site, placed
 // Out:  MeasuredValue
 // Next: measureSite

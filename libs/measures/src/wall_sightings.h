@@ -13,7 +13,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the runs of a site, placed, and how each two of them lie in each other, place by place
 // Out:  which walls of a run are there in others
 // Next: measureSite

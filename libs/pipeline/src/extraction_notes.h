@@ -4,7 +4,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Stages, all steps done
 // Out:  Notes
 // Next: Stages, as more of its notes

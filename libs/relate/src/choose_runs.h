@@ -10,7 +10,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   what many runs have seen, the best of them first
 // Out:  which of them work out where everything lies, and to which of these each other is related
 // Next: relateMapsOver

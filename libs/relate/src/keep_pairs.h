@@ -12,7 +12,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   a function that relates two runs
 // Out:  the same, which remembers
 // Next: relateRuns

@@ -7,7 +7,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   two maps, and what was followed of the one in the other
 // Out:  TornEnd
 // Next: followWalls

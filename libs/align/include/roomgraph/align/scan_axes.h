@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the ends of a scan's beams
 // Out:  ScanAxes
 // Next: findConsensus

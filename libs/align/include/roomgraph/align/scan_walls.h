@@ -10,7 +10,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the scans of a run
 // Out:  ScanWalls
 // Next: trackScans, addRunNodes, scanDisagreement

@@ -7,7 +7,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   two WallMap
 // Out:  Alignment
 // Next: sitePoses

@@ -3,7 +3,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the evidence for a pose
 // Out:  how much it is worth
 // Next: alignMaps

@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   two WallMap
 // Out:  poses worth a closer look
 // Next: refineAlignment, verifyAlignment

@@ -7,7 +7,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   some scans of a run, and where they lie
 // Out:  WallMap
 // Next: findScan

@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   two maps, and poses at which one may lie in the other
 // Out:  how much of them is drawn by the same hand, cell by cell
 // Next: relateMaps

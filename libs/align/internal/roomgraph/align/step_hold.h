@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the scans of a run
 // Out:  how far they support each of its steps
 // Next: trackScans, lookAgain

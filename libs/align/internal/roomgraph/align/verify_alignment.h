@@ -4,7 +4,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   two maps and a pose
 // Out:  what speaks for it and against it
 // Next: alignMaps

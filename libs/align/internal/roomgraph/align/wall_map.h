@@ -4,7 +4,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Grid
 // Out:  WallMap
 // Next: alignMaps

@@ -8,7 +8,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   a map file, and Archive
 // Out:  Archive with one run more
 // Next: watchSite

@@ -7,7 +7,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   SiteHistory, SiteWatch
 // Out:  text of files
 // Next: a file

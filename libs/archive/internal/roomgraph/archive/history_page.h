@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   WatchedSite
 // Out:  a page for a browser
 // Next: a file

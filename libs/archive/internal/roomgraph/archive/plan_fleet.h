@@ -8,7 +8,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   RunList, Archive
 // Out:  FleetTask
 // Next: taskLines, doTask

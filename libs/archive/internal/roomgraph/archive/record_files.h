@@ -9,7 +9,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the runs of a site, and their files
 // Out:  those of them that a new run can be compared with
 // Next: addRun
@@ -23,7 +22,6 @@ std::vector<HistoryRun> recordRuns(const std::vector<HistoryRun>& runs, std::siz
  *  @throws DataError where it cannot be read. */
 double runTime(const std::string& file);
 
-// Ours
 // In:   a map file
 // Out:  the name of a copy of it
 // Next: addRun

@@ -56,7 +56,6 @@ struct ChangePoint {
  *  the same, or there are fewer than two. O(samples log samples). */
 std::optional<ChangePoint> changePoint(const Samples& samples);
 
-// Ours
 // In:   the map errors of a robot in one site, night by night
 // Out:  ErrorWatch
 // Next: watchSite

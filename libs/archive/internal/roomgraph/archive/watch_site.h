@@ -9,7 +9,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   SiteHistory
 // Out:  SiteWatch
 // Next: historyText, historyJson

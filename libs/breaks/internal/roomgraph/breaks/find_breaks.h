@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   where the scans of a run really lie
 // Out:  ScanBreak
 // Next: siteBreaks

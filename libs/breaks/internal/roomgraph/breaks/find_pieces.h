@@ -10,7 +10,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   FollowedWalls of a run that carries no scans
 // Out:  PieceBreak
 // Next: siteBreaks

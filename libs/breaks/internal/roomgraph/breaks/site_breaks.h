@@ -9,7 +9,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the runs of a site, how each two of them lie in each other, their consensus, whom to trust
 // Out:  MapBreak
 // Next: measureSite, summarize

@@ -8,7 +8,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Run
 // Out:  RunCheck
 // Next: runCheckJson

@@ -10,7 +10,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the scans of a run, and where they lie
 // Out:  BeamsThroughWalls
 // Next: selfEvidence

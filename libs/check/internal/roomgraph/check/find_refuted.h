@@ -11,7 +11,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   a site, and where its runs really lie
 // Out:  WeldedKeyFrames
 // Next: scoreRuns, repairRuns

@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the scans of a run, and about where they lie
 // Out:  which scan was found where in what the run drew at another time
 // Next: selfConsensus

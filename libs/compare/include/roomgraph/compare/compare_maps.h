@@ -11,7 +11,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the names of map files
 // Out:  Comparison
 // Next: comparisonJson, comparisonReport

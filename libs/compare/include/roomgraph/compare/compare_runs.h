@@ -12,7 +12,6 @@ namespace roomgraph {
 
 struct MapPairs;
 
-// Ours
 // In:   the runs, as prepareRun makes them
 // Out:  Comparison
 // Next: comparisonJson, comparisonReport

@@ -7,7 +7,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Comparison
 // Out:  what is wrong with it
 // Next: the end of a nightly job

@@ -8,7 +8,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   a map, and the scans that it was made from
 // Out:  Run
 // Next: compareRuns

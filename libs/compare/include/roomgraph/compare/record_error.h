@@ -8,7 +8,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Comparison
 // Out:  RecordError
 // Next: gateVerdict

@@ -10,7 +10,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   how far each pair of runs bends apart, and how wrong each run is
 // Out:  RunScore of each run
 // Next: compareRuns

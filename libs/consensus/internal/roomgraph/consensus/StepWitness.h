@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the scans of a run, and where the run has drawn them
 // Out:  whether they refute, or prefer, another step
 // Next: ownMatches, rejoinPieces, siteBreaks, checkRun

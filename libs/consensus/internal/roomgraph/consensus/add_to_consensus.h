@@ -5,7 +5,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the consensus of some runs, and a run that is not among them
 // Out:  where that run really lies, and its MapError
 // Next: scoreRuns, findBreaks

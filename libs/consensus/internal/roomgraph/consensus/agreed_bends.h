@@ -5,7 +5,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   what each two runs have in common, and what all of them agree on
 // Out:  how far each two runs bend apart, so that it fits their map errors
 // Next: measureSite

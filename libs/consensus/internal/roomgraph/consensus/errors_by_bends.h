@@ -8,7 +8,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the runs of a site, and how far each two of them bend apart
 // Out:  MapError of each run
 // Next: scoreRuns

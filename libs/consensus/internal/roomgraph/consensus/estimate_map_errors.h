@@ -8,7 +8,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   how far each two maps bend apart, and how far each is from right angles
 // Out:  MapError of each map
 // Next: errorsByBends

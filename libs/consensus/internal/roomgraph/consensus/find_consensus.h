@@ -7,7 +7,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   PoseGraph of all runs of a site
 // Out:  ConsensusPoses
 // Next: mapErrors, findBreaks

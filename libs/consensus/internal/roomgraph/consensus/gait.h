@@ -7,7 +7,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   where a run has drawn its scans, and when they were taken
 // Out:  Gait
 // Next: mendSteps, StepWitness, PoseGraph

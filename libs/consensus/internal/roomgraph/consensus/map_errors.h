@@ -5,7 +5,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   a pose graph, and where its nodes really lie
 // Out:  MapError
 // Next: scoreRuns

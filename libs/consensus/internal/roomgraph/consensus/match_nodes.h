@@ -11,7 +11,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   a run, and where its walls lie in a map
 // Out:  FoundGroup
 // Next: findConsensus

@@ -5,7 +5,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the scans of a run, and where the run has drawn them
 // Out:  MendedSteps
 // Next: findRevisits, ownMatches, heldSteps

@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   PoseGraph and the solution of it
 // Out:  how sure the poses of its runs are
 // Next: repairRuns

@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the scans of a run, and where the run has drawn them
 // Out:  WallMap, LocalScan
 // Next: mendSteps, StepWitness

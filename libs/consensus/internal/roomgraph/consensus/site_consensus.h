@@ -10,7 +10,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the runs of a site, how each two of them lie in each other, and which are copies
 // Out:  Consensus
 // Next: scoreRuns, siteBreaks

@@ -8,7 +8,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the scans of a run, and another map
 // Out:  where each scan lies in that map
 // Next: matchNodes

@@ -5,7 +5,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Stages
 // Out:  the bytes of a picture
 // Next: writeFileAtomically

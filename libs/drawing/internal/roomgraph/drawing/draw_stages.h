@@ -7,7 +7,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Stages
 // Out:  a folder with a picture of each step
 

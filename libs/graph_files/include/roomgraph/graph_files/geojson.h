@@ -8,7 +8,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   RoomGraph, the obstacles of its map, and the clearance that its paths keep
 // Out:  the text of a GeoJSON file
 // Next: writeFileAtomically

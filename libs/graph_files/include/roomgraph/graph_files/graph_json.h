@@ -5,7 +5,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Stages, or a GraphFile
 // Out:  the text of a JSON file
 // Next: writeFileAtomically, readGraphJson

@@ -5,7 +5,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   RoomGraph
 // Out:  the text of a GraphML file
 // Next: writeFileAtomically

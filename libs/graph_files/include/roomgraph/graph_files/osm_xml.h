@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   AreaGraph
 // Out:  the text of an OSM file
 // Next: writeFileAtomically

@@ -9,7 +9,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   AreaGraph
 // Out:  a label picture; the pictures of masks for nav2's costmap filters, which lie on the map
 // Next: readLabels, StagedFiles

@@ -8,7 +8,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Grid
 // Out:  the bytes of a ROS map, as map_saver writes it
 // Next: writeFileAtomically, loadGrid

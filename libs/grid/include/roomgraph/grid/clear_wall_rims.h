@@ -5,7 +5,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Grid
 // Out:  Grid without rims
 // Next: wallMap

@@ -7,7 +7,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Grid, ObstacleCells
 // Out:  one flag per obstacle: non-zero is wall
 // Next: splitAtDoors

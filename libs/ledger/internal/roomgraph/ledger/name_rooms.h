@@ -7,7 +7,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the rooms of a comparison, and what is known from earlier ones
 // Out:  the same with the ids and names that they had, and the file brought up to date
 // Next: comparisonJson, siteJson

@@ -9,7 +9,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Comparison, the maps of its runs
 // Out:  comparison.3Dscene
 // Next: writeFileAtomically

@@ -5,7 +5,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   CMapComparison
 // Out:  the bytes of comparison.roomgraph, and back
 // Next: writeFileAtomically

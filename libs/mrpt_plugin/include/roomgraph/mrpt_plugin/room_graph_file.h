@@ -5,7 +5,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   CRoomGraph
 // Out:  the bytes of a .roomgraph file, and back
 // Next: writeFileAtomically

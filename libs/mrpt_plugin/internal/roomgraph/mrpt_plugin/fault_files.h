@@ -11,7 +11,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Fault, the maps of the runs, the scans of one of them
 // Out:  what MRPT's viewers show of it
 // Next: a file

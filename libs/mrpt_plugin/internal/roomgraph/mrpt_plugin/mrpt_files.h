@@ -9,7 +9,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   GreyMap, and the Grid that binarize made of it; PlacedScan
 // Out:  the bytes of an MRPT grid map; those of a log
 // Next: writeFileAtomically, loadGrid

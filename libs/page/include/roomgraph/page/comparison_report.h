@@ -7,7 +7,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Comparison, and the maps of its runs
 // Out:  report.html
 // Next: a browser

@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   RunCheck, and the run that it is of
 // Out:  text of a page for a browser
 // Next: a file

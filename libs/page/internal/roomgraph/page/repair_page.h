@@ -7,7 +7,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   RepairedRuns, and the runs that they are of
 // Out:  text of a page for a browser
 // Next: a file

@@ -9,7 +9,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   a picture whose scale is not known, and runs of which it is
 // Out:  ScaleEstimate
 // Next: extract, with that scale

@@ -10,7 +10,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the runs, and how each two of them lie in each other
 // Out:  Site, and what is known of its pairs
 // Next: scoreRuns, siteBreaks, siteRooms

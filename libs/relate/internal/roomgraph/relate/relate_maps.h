@@ -5,7 +5,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   two WallMap
 // Out:  MapPair: all that is to be known of two maps, beside the others
 // Next: compareRuns

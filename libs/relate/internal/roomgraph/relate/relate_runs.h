@@ -10,7 +10,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the runs
 // Out:  MapPair of pairs of runs
 // Next: placeRuns

@@ -8,7 +8,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the runs
 // Out:  which of them are of one drive
 // Next: placeRuns, summarize

@@ -8,7 +8,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   two WallMap, and the walls of one followed in the other
 // Out:  WallSighting of each wall
 // Next: areStoreys, wallSightings

@@ -10,7 +10,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the scans of all runs, where they really lie
 // Out:  MergedMap
 // Next: binarize, extract

@@ -9,7 +9,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   runs, as prepareRun makes them
 // Out:  RepairedRun of each, CarriedPlace of each place
 // Next: movedRun, mergeRuns

@@ -10,7 +10,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   places on one map, and the site that it and another map belong to
 // Out:  CarriedPlace of each
 // Next: carryThings

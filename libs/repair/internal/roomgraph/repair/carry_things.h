@@ -8,7 +8,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   MarkedFile, and the site that its map and another one belong to
 // Out:  CarriedThing of each of its things
 // Next: MarkedFile::write, StagedFiles

@@ -9,7 +9,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   RepairedRun, and the poses of the key frames in its file
 // Out:  PoseMove of each key frame
 // Next: movePoses, trajectoryTum; movedRun (repair_site.h) does both

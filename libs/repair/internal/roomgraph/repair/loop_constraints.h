@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   a run, and where its scans really lie
 // Out:  a yaml
 // Next: mola-sm-lc-cli of MOLA, version 1.1 or later

@@ -9,7 +9,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   SolvedSite, RealPoses
 // Out:  RepairedRun of each run that has scans
 // Next: keyFrameMoves, mergeRuns

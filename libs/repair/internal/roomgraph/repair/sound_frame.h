@@ -5,7 +5,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   poses as a run has them, and where they really lie
 // Out:  the frame of the run
 // Next: repairRuns

@@ -5,7 +5,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Comparison
 // Out:  text of files, and a table
 // Next: a file

@@ -5,7 +5,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Comparison
 // Out:  the text of tables
 // Next: a file

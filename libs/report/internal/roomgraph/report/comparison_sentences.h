@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Comparison
 // Out:  sentences for people
 // Next: comparisonReport, a terminal

@@ -5,7 +5,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   ComparedRun
 // Out:  files for evo, the tools for trajectories
 // Next: a file

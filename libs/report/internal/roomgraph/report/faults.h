@@ -11,7 +11,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   RunCheck or Comparison
 // Out:  which scans to lay over each other to see what is wrong, and where
 // Next: pages, scenes, logs and windows

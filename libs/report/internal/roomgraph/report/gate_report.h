@@ -7,7 +7,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   Comparison with the verdict of its gate
 // Out:  text of files for CI systems
 // Next: a file

@@ -5,7 +5,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   RunCheck
 // Out:  text of a file, and a line for people
 // Next: a file

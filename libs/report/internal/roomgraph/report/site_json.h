@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   SiteFile, or its text; the rooms of a Comparison
 // Out:  its text, or SiteFile; the text of a GeoJSON file
 // Next: a file, or nameRooms

@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the walls of a map
 // Out:  by how much what is shown of it is turned
 // Next: pictures, scenes and windows

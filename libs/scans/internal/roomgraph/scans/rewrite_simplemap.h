@@ -11,7 +11,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the content of simplemaps, and how key frames are to be moved
 // Out:  the content of the moved one, or of one with the key frames of all
 // Next: compressed, writeFileAtomically
