@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -29,7 +28,6 @@ struct CheckArguments {
   OptionArguments options;
   std::string folder;
   CheckGateOptions gate;
-  std::vector<std::string> failOn;
   std::string junit, summary;  ///< files; empty for none
   bool writesBreaks = false;
   RunningArguments running;
@@ -42,7 +40,8 @@ void declareCheckGate(CheckArguments& arguments, CLI::App& app) {
   addOption(app, "--fail-above M", arguments.gate.maxError,
             "Exit with 3 if a run has a self error above this [m], or none.")
       ->check(isWithin(0, 1e6));
-  declareFailOn(arguments.failOn, {"broken", "doubled"},
+  CheckGateOptions& gate = arguments.gate;
+  declareFailOn({{"broken", &gate.failsOnBreaks}, {"doubled", &gate.failsOnDoubled}},
                 "Exit with 3 on any of these, comma separated: 'broken' (a run has a break), "
                 "'doubled' (it has drawn a place twice, or laid one over another).",
                 app);
@@ -102,9 +101,7 @@ void checkFiles(const CheckArguments& arguments) {
       files.writesNumbered(outputFile(arguments.folder, file, kind), file);
 }
 
-int run(CheckArguments arguments) {
-  arguments.gate.failsOnBreaks = isListed(arguments.failOn, "broken"),
-  arguments.gate.failsOnDoubled = isListed(arguments.failOn, "doubled");
+int run(const CheckArguments& arguments) {
   checkFiles(arguments);
   const ResultFolder folder(arguments.folder);
   std::vector<std::optional<RunCheck>> found(arguments.files.size());

@@ -173,7 +173,7 @@ Comparison compare(const ReadRuns& read, const CompareArguments& arguments) {
 
 /** Whether a call asks for what only one site has. */
 bool isOfOneSite(const CompareArguments& arguments) {
-  return !gateOf(arguments.gate).asksNothing() || !arguments.names.empty() ||
+  return !arguments.gate.limits.asksNothing() || !arguments.names.empty() ||
          !arguments.candidates.empty() || !arguments.reference.empty();
 }
 
@@ -243,7 +243,7 @@ bool printLeftOut(const Comparison& comparison, const CompareArguments& argument
 
 int run(const CompareArguments& arguments) {
   check(arguments);
-  GateOptions gate = gateOf(arguments.gate);
+  GateOptions gate = arguments.gate.limits;
   checkFiles(arguments);
   const ResultFolder folder(arguments.folder);
   std::optional<SiteFile> site;

@@ -124,7 +124,12 @@ void declareGate(GateArguments& arguments, CLI::App& app) {
             "Exit with 3 if the map error of a run exceeds the median of the three best other "
             "runs by more than this [m], or cannot be trusted.")
       ->check(isWithin(0, 1e6));
-  declareFailOn(arguments.failOn, {"broken", "unconfirmed", "coverage", "not-same-site", "walls"},
+  GateOptions& gate = arguments.limits;
+  declareFailOn({{"broken", &gate.failsOnBreaks},
+                 {"unconfirmed", &gate.failsOnUnconfirmed},
+                 {"coverage", &gate.failsOnCoverage},
+                 {"not-same-site", &gate.failsOnOtherSites},
+                 {"walls", &gate.failsOnWalls}},
                 "Exit with 3 on any of these, separated by commas: 'coverage' (a run has seen "
                 "less than " +
                     nearlyAll +
@@ -139,15 +144,6 @@ void declareGate(GateArguments& arguments, CLI::App& app) {
             "Also write the verdict of the gate as JUnit XML, for CI systems.");
   addOption(app, "--summary FILE", arguments.summary,
             "Also write the ranking and the verdict of the gate as Markdown, for CI systems.");
-}
-
-GateOptions gateOf(const GateArguments& arguments) {
-  const auto isAsked = [&](const char* what) { return isListed(arguments.failOn, what); };
-  GateOptions gate = arguments.limits;
-  gate.failsOnCoverage = isAsked("coverage"), gate.failsOnBreaks = isAsked("broken");
-  gate.failsOnUnconfirmed = isAsked("unconfirmed");
-  gate.failsOnOtherSites = isAsked("not-same-site"), gate.failsOnWalls = isAsked("walls");
-  return gate;
 }
 
 void addGateFiles(const Comparison& comparison, const GateArguments& arguments,

@@ -1,7 +1,6 @@
 #pragma once
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +22,6 @@ class ResultFiles {
   /** Leaves out files that draw maps and are there already. Says which. */
   std::vector<std::string> keepDrawn();
 
-  const std::filesystem::path& folder() const { return folder_; }
   /** Whether the list names files of trajectories, see addTrajectories; "all" does not. */
   bool hasTrajectories() const { return hasTrajectories_; }
   std::vector<std::string> names() const;
@@ -45,15 +43,11 @@ void declareFormats(std::string& formats, CLI::App& app);
 
 /** --fail-below, --fail-above, --fail-worse-by, --fail-on, --junit and --summary. */
 struct GateArguments {
-  GateOptions limits;  ///< only the numbers
-  std::vector<std::string> failOn;
+  GateOptions limits;          ///< without the candidates
   std::string junit, summary;  ///< files; empty for none
 };
 
 void declareGate(GateArguments& arguments, CLI::App& app);
-
-/** @throws UsageError for a score that is none. */
-GateOptions gateOf(const GateArguments& arguments);
 
 /** The files for CI systems that are asked for. */
 void addGateFiles(const Comparison& comparison, const GateArguments& arguments,

@@ -8,7 +8,7 @@
 #include "commands.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/InputFile.h"
-#include "roomgraph/base/containers.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/read_document.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/graph_files/read_graph_json.h"
@@ -145,23 +145,23 @@ void declareRooms(OptionArguments& arguments, CLI::App& app) {
   addOption(app, "--robot-width M", arguments.robotWidth, help("room_graph", "robot_width"));
 }
 
-void declareFailOn(std::vector<std::string>& lists, const std::vector<std::string>& known,
+void declareFailOn(const std::vector<std::pair<std::string, bool*>>& flags,
                    const std::string& sentence, CLI::App& app) {
+  const auto lists = std::make_shared<std::vector<std::string>>();  // as long as the option
   // CLI11's own lists pass over what is empty.
-  const auto fault = [known](const std::string& list) -> std::string {
-    for (const std::string& word : wordsOf(list))
-      if (!contains(known, word))
+  const auto setFlags = [flags, lists](const std::string& list) -> std::string {
+    const auto known = mapped(flags, [](const auto& flag) { return flag.first; });
+    for (const std::string& word : wordsOf(list)) {
+      const auto found = std::find(known.begin(), known.end(), word);
+      if (found == known.end())
         return "'" + word + "' is not one of " + listed(known) + ", separated by commas";
+      *flags[found - known.begin()].second = true;
+    }
     return {};
   };
-  addOption(app, "--fail-on LIST", lists, sentence)
+  addOption(app, "--fail-on LIST", *lists, sentence)
       ->allow_extra_args(false)
-      ->check(CLI::Validator(fault, ""));
-}
-
-bool isListed(const std::vector<std::string>& lists, const std::string& word) {
-  return std::any_of(lists.begin(), lists.end(),
-                     [&](const std::string& list) { return contains(wordsOf(list), word); });
+      ->check(CLI::Validator(setFlags, ""));
 }
 
 void declareOutput(std::string& folder, const std::string& results, CLI::App& app) {

@@ -38,11 +38,9 @@ void declareRooms(OptionArguments& arguments, CLI::App& app);
 /** The files that a call reads: its maps, and first its options. */
 CallFiles filesReadBy(const std::vector<std::string>& maps, const OptionArguments& arguments);
 
-/** Declares --fail-on, comma-separated lists of `known` words; may be repeated. */
-void declareFailOn(std::vector<std::string>& lists, const std::vector<std::string>& known,
+/** Declares --fail-on, comma-separated lists of words that set these flags; may be repeated. */
+void declareFailOn(const std::vector<std::pair<std::string, bool*>>& flags,
                    const std::string& sentence, CLI::App& app);
-/** Whether a word is in one of such lists. */
-bool isListed(const std::vector<std::string>& lists, const std::string& word);
 
 /** Declares --output, the folder for `results`. A command writes several files for each map, which
  *  would be hard to tell from others: where no folder is named, they go into roomgraph-COMMAND. */

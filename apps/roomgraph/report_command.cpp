@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <utility>
@@ -106,7 +105,7 @@ void keepOthers(const FoundMaps& maps, const Comparison& comparison,
 int run(const ReportArguments& arguments) {
   ResultFiles files(folderOf(arguments));
   Comparison comparison = readComparison(arguments.comparison);
-  GateOptions gate = gateOf(arguments.gate);
+  GateOptions gate = arguments.gate.limits;
   gate.candidates = candidatesOf(arguments, comparison);
   checkFiles(arguments, comparison, files);
   const FoundMaps maps = findMaps(arguments, comparison);

@@ -104,9 +104,9 @@ double Pen::textWidth(const std::string& line, double sizePx, bool isBold) const
 
 void Pen::text(const std::string& line, Point place, double sizePx, bool isBold,
                Align align) const {
-  const double width = align == Align::left ? 0 : textWidth(line, sizePx, isBold);
+  const double before = align == Align::left ? 0 : textWidth(line, sizePx, isBold) / 2;
   font(sizePx, isBold);
-  cairo_move_to(cairo_, place.x - (align == Align::centre ? width / 2 : width), place.y);
+  cairo_move_to(cairo_, place.x - before, place.y);
   cairo_show_text(cairo_, printable(line).c_str());
 }
 

@@ -35,7 +35,7 @@ class Pen {
   /** The mark of a vertex at a place on the picture: a shape and a colour for each kind. */
   void mark(VertexKind kind, Point px) const;
 
-  enum class Align { left, centre, right };
+  enum class Align { left, centre };
   /** One line of text; `at` is on its base line. What is not UTF-8 becomes '?'. */
   void text(const std::string& line, Point at, double sizePx, bool isBold, Align align) const;
   double textWidth(const std::string& line, double sizePx, bool isBold) const;

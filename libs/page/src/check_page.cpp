@@ -1,6 +1,5 @@
 #include "roomgraph/page/check_page.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 

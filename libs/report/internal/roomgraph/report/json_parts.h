@@ -1,6 +1,4 @@
 #pragma once
-#include <string>
-#include <vector>
 
 #include "roomgraph/base/mapped.h"
 #include "roomgraph/geometry/point_json.h"
