@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <regex>
 
-#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {

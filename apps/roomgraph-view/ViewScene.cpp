@@ -5,7 +5,7 @@
 #include "draw_marks.h"
 #include "draw_stage.h"
 #include "read_place.h"
-#include "roomgraph/base/containers.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/mrpt_plugin/colours.h"
 #include "roomgraph/mrpt_plugin/comparison_scene.h"

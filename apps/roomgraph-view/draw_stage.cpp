@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/drawing/stage_names.h"
 #include "roomgraph/mrpt_plugin/CRoomGraph.h"
 #include "roomgraph/mrpt_plugin/colours.h"

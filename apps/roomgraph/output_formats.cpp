@@ -5,9 +5,8 @@
 #include <sstream>
 
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/containers.h"
-#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/drawing/draw.h"
 #include "roomgraph/graph_files/area_pictures.h"
 #include "roomgraph/graph_files/geojson.h"

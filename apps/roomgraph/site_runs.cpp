@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/containers.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/check/check_run.h"
 #include "roomgraph/repair/solve_runs.h"
 #include "roomgraph/report/PairFolder.h"

@@ -1,7 +1,7 @@
 #include "scoring_document.h"
 
 #include "roomgraph/align/near_poses.h"
-#include "roomgraph/base/majority.h"
+#include "roomgraph/base/statistics.h"
 #include "roomgraph/breaks/find_pieces.h"
 #include "roomgraph/breaks/site_breaks.h"
 #include "roomgraph/compare/compare_maps.h"

@@ -7,7 +7,7 @@
 #include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/refine_alignment.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {

@@ -4,8 +4,7 @@
 
 #include "roomgraph/align/WallFit.h"
 #include "roomgraph/align/wall_map.h"
-#include "roomgraph/base/mapped.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {

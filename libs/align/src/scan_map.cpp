@@ -5,7 +5,7 @@
 
 #include "roomgraph/align/find_scan.h"
 #include "roomgraph/align/wall_map.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/geometry/Polygon.h"
 
 namespace roomgraph {

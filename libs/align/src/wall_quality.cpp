@@ -8,7 +8,7 @@
 #include "fitted_align.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/align/scan_walls.h"
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/geometry/NearPlaces.h"
 #include "roomgraph/geometry/principal_axis.h"

@@ -6,8 +6,7 @@
 #include "roomgraph/archive/plan_fleet.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/Json.h"
-#include "roomgraph/base/containers.h"
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {

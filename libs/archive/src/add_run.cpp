@@ -5,7 +5,7 @@
 
 #include "roomgraph/archive/record_files.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/check/check_run.h"
 #include "roomgraph/map_files/map_sha256.h"
 #include "roomgraph/report/run_check_json.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "roomgraph/base/file_name.h"
-#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/base/xml_text.h"

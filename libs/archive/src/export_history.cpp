@@ -5,9 +5,9 @@
 
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/csv_text.h"
-#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/base/utf8_text.h"
 #include "roomgraph/measures/measure_kinds.h"

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "error_plot.h"
-#include "roomgraph/base/containers.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/base/xml_text.h"
 #include "roomgraph/page/simple_page.h"

@@ -7,7 +7,7 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/InputFile.h"
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/map_files/map_sha256.h"
 #include "roomgraph/map_files/read_recording.h"

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "roomgraph/base/containers.h"
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/ledger/name_rooms.h"
 
 namespace roomgraph {

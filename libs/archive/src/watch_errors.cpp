@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {

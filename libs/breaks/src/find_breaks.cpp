@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "fitted_breaks.h"
-#include "roomgraph/base/mapped.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {

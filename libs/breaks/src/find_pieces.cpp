@@ -6,9 +6,7 @@
 
 #include "fitted_breaks.h"
 #include "roomgraph/base/UnionFind.h"
-#include "roomgraph/base/containers.h"
-#include "roomgraph/base/mapped.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/breaks/MapBreak.h"
 #include "roomgraph/geometry/MotionFit.h"
 #include "roomgraph/geometry/NearPlaces.h"

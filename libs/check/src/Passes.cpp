@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "fitted_check.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 

@@ -2,7 +2,7 @@
 
 #include "Passes.h"
 #include "roomgraph/base/UnionFind.h"
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 

@@ -7,8 +7,8 @@
 #include "Passes.h"
 #include "fitted_check.h"
 #include "roomgraph/align/nearest_wall.h"
-#include "roomgraph/base/majority.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
+#include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
 namespace {

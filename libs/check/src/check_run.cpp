@@ -5,8 +5,8 @@
 
 #include "find_doubled.h"
 #include "fitted_check.h"
-#include "roomgraph/base/orders.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/check/beams_through_walls.h"
 #include "roomgraph/consensus/StepWitness.h"
 #include "roomgraph/consensus/mend_steps.h"

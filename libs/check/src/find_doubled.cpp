@@ -4,9 +4,8 @@
 
 #include "fitted_check.h"
 #include "roomgraph/align/LocalScan.h"
-#include "roomgraph/base/containers.h"
-#include "roomgraph/base/majority.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
+#include "roomgraph/base/statistics.h"
 #include "roomgraph/check/ScanPair.h"
 
 namespace roomgraph {

@@ -5,8 +5,8 @@
 #include "Passes.h"
 #include "fitted_check.h"
 #include "roomgraph/align/wall_share.h"
-#include "roomgraph/base/containers.h"
-#include "roomgraph/base/majority.h"
+#include "roomgraph/base/sequences.h"
+#include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "roomgraph/base/Json.h"
-#include "roomgraph/base/containers.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {

@@ -5,9 +5,8 @@
 #include <map>
 
 #include "roomgraph/base/Json.h"
-#include "roomgraph/base/containers.h"
-#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/compare/record_error.h"

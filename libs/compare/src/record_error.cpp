@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "roomgraph/base/containers.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {

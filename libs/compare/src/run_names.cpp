@@ -6,9 +6,9 @@
 #include <set>
 
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/containers.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/utf8_text.h"
 #include "roomgraph/map_files/map_formats.h"
 

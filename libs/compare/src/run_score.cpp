@@ -6,8 +6,8 @@
 #include <string>
 
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/majority.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
 namespace {

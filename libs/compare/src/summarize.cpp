@@ -8,8 +8,8 @@
 
 #include "explain_comparison.h"
 #include "roomgraph/base/Json.h"
-#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/relate/DistinctMaps.h"
 #include "roomgraph/relate/place_runs.h"
 #include "roomgraph/relate/shared_drives.h"

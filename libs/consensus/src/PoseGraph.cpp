@@ -4,7 +4,7 @@
 
 #include "fitted_consensus.h"
 #include "roomgraph/align/LocalScan.h"
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/consensus/gait.h"
 #include "roomgraph/relate/PairBend.h"
 

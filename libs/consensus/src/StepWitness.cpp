@@ -1,8 +1,8 @@
 #include "roomgraph/consensus/StepWitness.h"
 
 #include "fitted_consensus.h"
-#include "roomgraph/base/majority.h"
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
+#include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
 

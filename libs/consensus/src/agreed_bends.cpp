@@ -4,7 +4,7 @@
 #include <map>
 
 #include "Displacement.h"
-#include "roomgraph/base/majority.h"
+#include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
 namespace {

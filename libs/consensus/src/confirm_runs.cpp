@@ -8,7 +8,6 @@
 #include "roomgraph/align/LocalScan.h"
 #include "roomgraph/align/find_scan.h"
 #include "roomgraph/align/wall_share.h"
-#include "roomgraph/base/majority.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/consensus/belief.h"
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/consensus/estimate_map_errors.h"
 #include "roomgraph/relate/place_runs.h"
 

@@ -9,8 +9,8 @@
 #include "roomgraph/align/find_scan.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/wall_share.h"
-#include "roomgraph/base/majority.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
+#include "roomgraph/base/statistics.h"
 #include "roomgraph/relate/PairBend.h"
 
 namespace roomgraph {

@@ -7,8 +7,8 @@
 #include "roomgraph/align/align_maps.h"
 #include "roomgraph/align/scan_map.h"
 #include "roomgraph/align/step_hold.h"
-#include "roomgraph/base/majority.h"
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
+#include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
 namespace {

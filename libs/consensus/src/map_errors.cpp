@@ -6,7 +6,6 @@
 
 #include "Displacement.h"
 #include "fitted_consensus.h"
-#include "roomgraph/base/majority.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {

@@ -11,7 +11,7 @@
 #include "roomgraph/align/find_scan.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
-#include "roomgraph/base/containers.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/consensus/track_scans.h"
 
 namespace roomgraph {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "fitted_consensus.h"
-#include "roomgraph/base/majority.h"
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
+#include "roomgraph/base/statistics.h"
 #include "roomgraph/consensus/scans_of_step.h"
 
 namespace roomgraph {

@@ -4,9 +4,8 @@
 #include <optional>
 
 #include "edge_cost.h"
-#include "roomgraph/base/containers.h"
-#include "roomgraph/base/majority.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
+#include "roomgraph/base/statistics.h"
 #include "roomgraph/consensus/belief.h"
 
 namespace roomgraph {

@@ -5,7 +5,7 @@
 #include "fitted_consensus.h"
 #include "roomgraph/align/LocalScan.h"
 #include "roomgraph/align/step_hold.h"
-#include "roomgraph/base/containers.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/consensus/StepWitness.h"
 #include "roomgraph/consensus/belief.h"
 #include "roomgraph/consensus/mend_steps.h"

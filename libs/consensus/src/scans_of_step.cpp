@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {

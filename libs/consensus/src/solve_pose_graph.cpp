@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "edge_cost.h"
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 #include "wall_axes.h"
 
 namespace roomgraph {

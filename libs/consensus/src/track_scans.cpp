@@ -11,8 +11,8 @@
 #include "roomgraph/align/step_hold.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/align/wall_share.h"
-#include "roomgraph/base/majority.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
+#include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
 namespace {

@@ -5,7 +5,7 @@
 #include "draw_layers.h"
 #include "render.h"
 #include "roomgraph/base/file_name.h"
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 

@@ -4,7 +4,7 @@
 
 #include "View.h"
 #include "room_colours.h"
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {

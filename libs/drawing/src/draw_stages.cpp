@@ -6,7 +6,7 @@
 #include "render.h"
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/file_name.h"
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/drawing/stage_names.h"
 #include "roomgraph/topology/kind_names.h"

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "Pen.h"
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {

@@ -1,6 +1,6 @@
 #include "roomgraph/drawing/stage_names.h"
 
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {

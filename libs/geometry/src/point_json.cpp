@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 

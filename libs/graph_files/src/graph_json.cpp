@@ -1,6 +1,6 @@
 #include "roomgraph/graph_files/graph_json.h"
 
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/geometry/point_json.h"
 #include "roomgraph/rooms/reason_names.h"
 #include "roomgraph/topology/kind_names.h"

@@ -4,8 +4,8 @@
 
 #include "roomgraph/base/InputFile.h"
 #include "roomgraph/base/Json.h"
-#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/read_document.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/geometry/point_json.h"
 #include "roomgraph/rooms/reason_names.h"
 #include "roomgraph/topology/kind_names.h"

@@ -3,8 +3,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/images/png_bytes.h"
 
 namespace roomgraph {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "ClutterGroup.h"
-#include "roomgraph/base/containers.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {

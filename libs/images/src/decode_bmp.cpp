@@ -1,8 +1,8 @@
 #include <cstdlib>
 
 #include "decoders.h"
-#include "roomgraph/base/containers.h"
-#include "roomgraph/base/remedies.h"
+#include "roomgraph/base/checked_file.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {

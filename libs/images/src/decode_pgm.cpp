@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "decoders.h"
-#include "roomgraph/base/remedies.h"
+#include "roomgraph/base/checked_file.h"
 
 namespace roomgraph {
 namespace {

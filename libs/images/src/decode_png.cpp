@@ -6,8 +6,8 @@
 
 #include "decoders.h"
 #include "pixels.h"
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/compressed.h"
-#include "roomgraph/base/remedies.h"
 
 namespace roomgraph {
 namespace {

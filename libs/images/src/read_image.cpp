@@ -5,7 +5,7 @@
 
 #include "decoders.h"
 #include "pixels.h"
-#include "roomgraph/base/remedies.h"
+#include "roomgraph/base/checked_file.h"
 
 namespace roomgraph {
 namespace {

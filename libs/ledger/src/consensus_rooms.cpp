@@ -6,8 +6,8 @@
 
 #include "fitted_ledger.h"
 #include "roomgraph/align/nearest_wall.h"
-#include "roomgraph/base/majority.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
+#include "roomgraph/base/statistics.h"
 #include "roomgraph/grid/polygon_cells.h"
 
 namespace roomgraph {

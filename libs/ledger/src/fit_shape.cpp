@@ -5,7 +5,7 @@
 #include "fitted_ledger.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
-#include "roomgraph/base/majority.h"
+#include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
 namespace {

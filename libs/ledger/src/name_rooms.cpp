@@ -9,10 +9,8 @@
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/OneToOne.h"
-#include "roomgraph/base/containers.h"
-#include "roomgraph/base/majority.h"
-#include "roomgraph/base/mapped.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
+#include "roomgraph/base/statistics.h"
 #include "roomgraph/grid/polygon_cells.h"
 #include "roomgraph/ledger/site_rooms.h"
 

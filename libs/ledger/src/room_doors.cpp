@@ -7,7 +7,7 @@
 #include "fitted_ledger.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/OneToOne.h"
-#include "roomgraph/base/containers.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {

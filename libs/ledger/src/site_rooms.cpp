@@ -9,10 +9,7 @@
 #include "room_doors.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/align/wall_map.h"
-#include "roomgraph/base/containers.h"
-#include "roomgraph/base/majority.h"
-#include "roomgraph/base/mapped.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {

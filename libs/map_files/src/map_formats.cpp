@@ -2,8 +2,8 @@
 
 #include "readers.h"
 #include "roomgraph/base/file_name.h"
-#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/images/read_image.h"
 #include "roomgraph/scans/read_simplemap.h"
 

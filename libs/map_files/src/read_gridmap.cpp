@@ -5,7 +5,7 @@
 // It does not include what it uses, and stands behind what does.
 #include <mrpt/maps/CLogOddsGridMapLUT.h>
 
-#include "roomgraph/base/remedies.h"
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/scans/object_header.h"
 
 namespace roomgraph {

@@ -7,7 +7,6 @@
 #include "readers.h"
 #include "roomgraph/base/byte_reader.h"
 #include "roomgraph/base/checked_file.h"
-#include "roomgraph/base/remedies.h"
 #include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/grid/GreyMap.h"
 #include "roomgraph/scans/PointCloud.h"

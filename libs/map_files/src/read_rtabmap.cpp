@@ -5,8 +5,8 @@
 #include <new>
 
 #include "readers.h"
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/compressed.h"
-#include "roomgraph/base/remedies.h"
 
 namespace roomgraph {
 namespace {

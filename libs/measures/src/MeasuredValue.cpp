@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/relate/PairBend.h"
 
 namespace roomgraph {

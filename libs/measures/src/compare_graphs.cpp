@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fitted_measures.h"
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/geometry/MotionFit.h"
 #include "roomgraph/measures/match_elements.h"

@@ -8,9 +8,7 @@
 #include <utility>
 
 #include "roomgraph/base/OneToOne.h"
-#include "roomgraph/base/majority.h"
-#include "roomgraph/base/mapped.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/geometry/NearPlaces.h"
 #include "roomgraph/grid/polygon_cells.h"

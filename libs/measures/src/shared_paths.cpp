@@ -9,7 +9,7 @@
 
 #include "fitted_measures.h"
 #include "roomgraph/base/OneToOne.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {

@@ -7,8 +7,8 @@
 #include "fitted_measures.h"
 #include "roomgraph/align/FullMaps.h"
 #include "roomgraph/align/wall_map.h"
-#include "roomgraph/base/containers.h"
-#include "roomgraph/base/majority.h"
+#include "roomgraph/base/sequences.h"
+#include "roomgraph/base/statistics.h"
 #include "roomgraph/relate/pair_jobs.h"
 #include "roomgraph/relate/place_runs.h"
 

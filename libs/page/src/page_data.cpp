@@ -6,9 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "roomgraph/base/containers.h"
-#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/breaks/frames_at_break.h"
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/geometry/point_json.h"

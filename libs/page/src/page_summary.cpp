@@ -5,8 +5,8 @@
 
 #include "page_data.h"
 #include "roomgraph/base/file_name.h"
-#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/xml_text.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/page/simple_page.h"

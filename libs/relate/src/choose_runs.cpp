@@ -7,8 +7,7 @@
 
 #include "fitted_relate.h"
 #include "roomgraph/align/shared_edges.h"
-#include "roomgraph/base/containers.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/shared_drives.h"
 

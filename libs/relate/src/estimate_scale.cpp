@@ -9,10 +9,7 @@
 #include "roomgraph/align/fit_scale.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/wall_map.h"
-#include "roomgraph/base/containers.h"
-#include "roomgraph/base/majority.h"
-#include "roomgraph/base/mapped.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {

@@ -9,7 +9,7 @@
 
 #include "related_sources.h"
 #include "roomgraph/base/checked_file.h"
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/version.h"
 
 namespace roomgraph {

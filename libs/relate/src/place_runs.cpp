@@ -10,8 +10,8 @@
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/UnionFind.h"
-#include "roomgraph/base/majority.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
+#include "roomgraph/base/statistics.h"
 #include "roomgraph/relate/pair_jobs.h"
 #include "roomgraph/relate/relate_maps.h"
 

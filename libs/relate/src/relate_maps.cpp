@@ -9,9 +9,8 @@
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/shared_edges.h"
 #include "roomgraph/align/wall_map.h"
-#include "roomgraph/base/majority.h"
-#include "roomgraph/base/mapped.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
+#include "roomgraph/base/statistics.h"
 #include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/sight_walls.h"
 

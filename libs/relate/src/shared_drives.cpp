@@ -9,7 +9,7 @@
 #include "fitted_relate.h"
 #include "roomgraph/align/FullMaps.h"
 #include "roomgraph/base/UnionFind.h"
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/geometry/MotionFit.h"
 #include "roomgraph/relate/place_runs.h"
 

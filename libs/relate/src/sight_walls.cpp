@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "roomgraph/align/wall_map.h"
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {

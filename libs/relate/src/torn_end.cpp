@@ -5,7 +5,7 @@
 #include "fitted_relate.h"
 #include "roomgraph/align/find_scan.h"
 #include "roomgraph/align/wall_share.h"
-#include "roomgraph/base/majority.h"
+#include "roomgraph/base/statistics.h"
 #include "roomgraph/relate/sight_walls.h"
 
 namespace roomgraph {

@@ -9,8 +9,8 @@
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/UnionFind.h"
-#include "roomgraph/base/containers.h"
-#include "roomgraph/base/majority.h"
+#include "roomgraph/base/sequences.h"
+#include "roomgraph/base/statistics.h"
 #include "roomgraph/geometry/MotionFit.h"
 #include "roomgraph/relate/place_runs.h"
 

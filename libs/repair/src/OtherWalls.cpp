@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "fitted_repair.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 OtherWalls::OtherWalls(const SolvedSite& solved, std::size_t but,

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "fitted_repair.h"
-#include "roomgraph/base/orders.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/repair/BendField.h"
 #include "roomgraph/repair/carry_places.h"
 

@@ -7,8 +7,8 @@
 
 #include "fitted_repair.h"
 #include "roomgraph/align/LocalScan.h"
-#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/geometry/NearPlaces.h"
 
 namespace roomgraph {

@@ -9,11 +9,10 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/Json.h"
-#include "roomgraph/base/containers.h"
 #include "roomgraph/base/file_name.h"
-#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/read_document.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/xml_text.h"
 #include "roomgraph/graph_files/OsmOrigin.h"
 #include "roomgraph/repair/places_formats.h"

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "roomgraph/base/file_name.h"
-#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/report/json_parts.h"
 
 namespace roomgraph {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <boost/algorithm/string/join.hpp>
 
-#include "roomgraph/base/containers.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/utf8_text.h"
 #include "roomgraph/base/xml_text.h"
 

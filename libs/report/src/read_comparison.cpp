@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "roomgraph/base/InputFile.h"
-#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/read_document.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/report/comparison_json.h"
 #include "roomgraph/report/json_parts.h"

@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/read_document.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/geometry/point_json.h"
 #include "roomgraph/report/json_parts.h"
 

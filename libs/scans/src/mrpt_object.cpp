@@ -8,7 +8,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "roomgraph/base/remedies.h"
+#include "roomgraph/base/checked_file.h"
 
 namespace roomgraph {
 namespace {

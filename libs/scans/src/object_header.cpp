@@ -1,6 +1,6 @@
 #include "roomgraph/scans/object_header.h"
 
-#include "roomgraph/base/remedies.h"
+#include "roomgraph/base/checked_file.h"
 
 namespace roomgraph {
 namespace {

@@ -7,7 +7,7 @@
 #include "read_depth_scan.h"
 #include "read_velodyne.h"
 #include "roomgraph/base/checked_file.h"
-#include "roomgraph/base/containers.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/scans/read_points.h"
 
 namespace roomgraph {

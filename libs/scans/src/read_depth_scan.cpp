@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "point_bytes.h"
-#include "roomgraph/base/remedies.h"
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/scans/read_points.h"
 
 namespace roomgraph {

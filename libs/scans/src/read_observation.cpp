@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "roomgraph/base/remedies.h"
+#include "roomgraph/base/checked_file.h"
 
 namespace roomgraph {
 namespace {

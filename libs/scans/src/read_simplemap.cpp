@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "roomgraph/base/remedies.h"
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/scans/mrpt_object.h"
 #include "roomgraph/scans/read_cloud.h"
 #include "roomgraph/scans/read_observation.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "roomgraph/base/remedies.h"
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/scans/mrpt_object.h"
 
 namespace roomgraph {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "roomgraph/base/UnionFind.h"
-#include "roomgraph/base/containers.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/topology/VoronoiGraph.h"
 
 namespace roomgraph {

@@ -7,7 +7,7 @@
 
 #include "edge_clearance.h"
 #include "roomgraph/base/UnionFind.h"
-#include "roomgraph/base/containers.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/topology/voronoi_graph.h"
 
 namespace roomgraph {

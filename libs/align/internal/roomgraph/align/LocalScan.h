@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "roomgraph/align/scan_walls.h"
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 

@@ -14,6 +14,10 @@ namespace roomgraph {
 /** A map may have at most this many cells. */
 constexpr std::uint64_t kMostCells = 400'000'000;
 
+// What to do about a file that is damaged.
+constexpr const char* kSavePictureAgain = "copy or save the picture again";
+constexpr const char* kSaveMapAgain = "copy or save the map again";
+
 enum class Compression { none, gzip, zstd };  ///< of a file
 [[nodiscard]] constexpr std::array<const char*, 3> enumNames(Compression) {
   return {"none", "gzip", "zstd"};

@@ -7,6 +7,10 @@ namespace roomgraph {
 /** So many standard deviations either way hold 80 % of a normal distribution. */
 constexpr double kEightyPercent = 1.2816;
 
+/** The share, or the probability, from which on something is so rather than not: where nothing was
+ *  fitted, as nothing speaks for another one. */
+constexpr double kMajority = 0.5;
+
 /** The value with `share` of the others below it, 0 to 1: between two neighbours in size on the
  *  straight line (type 7 of Hyndman and Fan, as numpy and R have it), so 0 is the least, 1 the
  *  largest, and quantile({1, 2, 4}, 0.75) is 3. `values` must not be empty. O(n). */

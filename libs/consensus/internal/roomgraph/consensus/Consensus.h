@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/consensus/map_errors.h"
 
 namespace roomgraph {

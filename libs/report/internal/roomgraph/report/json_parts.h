@@ -1,6 +1,6 @@
 #pragma once
 
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/geometry/point_json.h"
 #include "roomgraph/ledger/SiteRoom.h"
 #include "roomgraph/measures/Measure.h"
