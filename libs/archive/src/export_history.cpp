@@ -46,8 +46,6 @@ Json roomJson(const RoomSeen& room) {
 }
 
 Json runJson(const HistoryRun& run) {
-  Json figures = Json::object();
-  for (const Measure& figure : run.figures) figures[figure.name] = measureJson(figure);
   return {{"robot", utf8Text(run.robot)},
           {"time", timeText(run.time)},
           {"file", utf8Text(run.file)},
@@ -55,7 +53,7 @@ Json runJson(const HistoryRun& run) {
           {"placed", run.isPlaced},
           {"reason", utf8Text(run.reason)},
           {"version", run.version},
-          {"figures", figures},
+          {"figures", measuresJson(run.figures)},
           {"rooms", mapped(run.rooms, roomJson)}};
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/compare/gate.h"
@@ -255,8 +256,7 @@ SiteWatch watchSite(const SiteHistory& history, const WatchOptions& options) {
          lastingChanges(series.values, toleranceOf(key.second, series), 5))
       watch.changes.push_back(
           {key.first, key.second, series.runs[change.first], change.before, change.after});
-  std::stable_sort(watch.changes.begin(), watch.changes.end(),
-                   [](const RoomChange& l, const RoomChange& r) { return l.run < r.run; });
+  sortBy(watch.changes, &RoomChange::run);
   return watch;
 }
 

@@ -37,7 +37,7 @@ class Inflater {
 };
 
 [[noreturn]] void refuseGzip(const std::string& file) {
-  refuse(file, "its gzip data is cut short or damaged", "copy or save the map again");
+  refuse(file, "its gzip data is cut short or damaged", kSaveMapAgain);
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ std::string sha256Of(ByteView first, ByteView second) {
 }
 
 CheckedFile::CheckedFile(const std::string& name) : file_(name, kLargestFile) {
-  if (file_.size() == 0) refuse(name, "is empty", "copy or save the map again");
+  if (file_.size() == 0) refuse(name, "is empty", kSaveMapAgain);
   readHead();
 }
 
@@ -140,7 +140,7 @@ void CheckedFile::inflateGzip() {
   if (isWhole && inflater.inputLeft() > 0)
     refuse(name(), "something follows its gzip data", "remove what was appended");
   if (!isWhole || inflater.outputLeft() != 1) refuseGzip(name());
-  if (size == 0) refuse(name(), "is empty", "copy or save the map again");
+  if (size == 0) refuse(name(), "is empty", kSaveMapAgain);
 }
 
 }  // namespace roomgraph

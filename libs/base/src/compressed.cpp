@@ -26,7 +26,7 @@ std::string asZstd(const std::string& bytes) {
 }
 
 [[noreturn]] void refuseFrame(const std::string& file) {
-  refuse(file, "its zstd data is cut short or damaged", "copy or save the map again");
+  refuse(file, "its zstd data is cut short or damaged", kSaveMapAgain);
 }
 
 }  // namespace

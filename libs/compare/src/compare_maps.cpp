@@ -1,12 +1,12 @@
 #include "roomgraph/compare/compare_maps.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
 #include "roomgraph/align/scan_walls.h"
 #include "roomgraph/align/wall_map.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/relate/estimate_scale.h"
@@ -18,8 +18,7 @@ Comparison compareMaps(const ReadRuns& read, const CompareMapsOptions& options) 
   compare.reference = read.reference;
   Comparison result = compareRuns(read.runs, compare);
   result.leftOut.insert(result.leftOut.end(), read.leftOut.begin(), read.leftOut.end());
-  std::sort(result.leftOut.begin(), result.leftOut.end(),
-            [](const LeftOutRun& l, const LeftOutRun& r) { return l.name < r.name; });
+  sortBy(result.leftOut, &LeftOutRun::name);
   result.options = usedOptions(options);
   return result;
 }

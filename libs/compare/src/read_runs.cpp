@@ -9,6 +9,7 @@
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/return_memory.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/compare/prepare_run.h"
 #include "roomgraph/compare/run_names.h"
@@ -57,8 +58,7 @@ class Reader {
     if (hasReference()) result.reference = placeOfReference(result.runs);
     for (const MapFile& file : files_)
       if (!file.failure.empty()) result.leftOut.push_back(file.leftOut());
-    std::sort(result.leftOut.begin(), result.leftOut.end(),
-              [](const LeftOutRun& l, const LeftOutRun& r) { return l.name < r.name; });
+    sortBy(result.leftOut, &LeftOutRun::name);
     return result;
   }
 

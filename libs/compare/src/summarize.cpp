@@ -40,8 +40,7 @@ void rank(std::vector<ComparedRun>& runs) {
     return std::make_tuple(!run.score, !isMeaningful, run.score ? run.score->mapError : 0,
                            run.name);
   };
-  std::sort(runs.begin(), runs.end(),
-            [&](const ComparedRun& l, const ComparedRun& r) { return key(l) < key(r); });
+  sortBy(runs, key);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!runs[i].score) continue;
     // Errors that are equal but for rounding share a rank.
@@ -97,9 +96,7 @@ std::vector<SiteRoom> roomsOf(const Findings& found, const std::vector<ComparedR
   for (std::size_t i = 0; i < runs.size(); ++i) placeOf[runs[i].name] = i;
   std::vector<SiteRoom> rooms = found.rooms;
   for (SiteRoom& room : rooms)
-    std::sort(room.runs.begin(), room.runs.end(), [&](const RoomInRun& l, const RoomInRun& r) {
-      return placeOf[l.run] < placeOf[r.run];
-    });
+    sortBy(room.runs, [&](const RoomInRun& in) { return placeOf[in.run]; });
   return rooms;
 }
 
@@ -199,8 +196,7 @@ Comparison summarize(const std::vector<Run>& runs, const MapPairs& related, cons
   if (found.site.reference) result.reference = found.site.runs[*found.site.reference]->name;
   for (const std::vector<MapBreak>& ofRun : found.breaks)
     result.breaks.insert(result.breaks.end(), ofRun.begin(), ofRun.end());
-  std::stable_sort(result.breaks.begin(), result.breaks.end(),
-                   [](const MapBreak& l, const MapBreak& r) { return l.size() > r.size(); });
+  sortDownBy(result.breaks, &MapBreak::size);
   for (const std::size_t run : found.pairs.core) result.core.push_back(found.site.runs[run]->name);
   std::sort(result.core.begin(), result.core.end());
   auto drives = sharedDrives(found.site.runs);

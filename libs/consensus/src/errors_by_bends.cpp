@@ -59,8 +59,7 @@ std::optional<MapError> errorBeside(std::vector<std::size_t> voices, std::size_t
                                     const Site& site, const PairBends& bends,
                                     const DistinctMaps& maps) {
   const std::size_t own = voiceFor(run, site, maps);
-  if (own != site.reference)
-    voices.erase(std::remove(voices.begin(), voices.end(), own), voices.end());
+  if (own != site.reference) eraseIf(voices, [&](std::size_t voice) { return voice == own; });
   const auto place = voices.insert(std::lower_bound(voices.begin(), voices.end(), run), run);
   const auto index = std::size_t(place - voices.begin());
   return errorsAmong(voices, site, bends)[index];

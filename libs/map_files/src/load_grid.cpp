@@ -90,7 +90,7 @@ bool isTable(const std::string& text) {
 }
 
 [[noreturn]] void refuseUnknown(CheckedFile& file) {
-  if (file.head().size == 0) refuse(file.name(), "is empty", "copy or save the map again");
+  if (file.head().size == 0) refuse(file.name(), "is empty", kSaveMapAgain);
   const auto object = peekObjectHeader(file.head());
   const bool isObject = object && isRegisteredName(object->className);
   const std::string head = file.head().text();
@@ -160,7 +160,7 @@ LoadedMap readOrRefuse(const std::string& name, const LoadGridOptions& options,
     refuse(name, "there is not enough memory for it", "give a smaller map");
   } catch (const std::exception&) {
     // MRPT's texts run over many lines and name its source files.
-    refuse(name, "it cannot be read as a map", "copy or save the map again");
+    refuse(name, "it cannot be read as a map", kSaveMapAgain);
   }
 }
 

@@ -20,9 +20,11 @@ Json poseJson(const std::optional<Transform2D>& pose) {
   return pose ? poseJson(*pose) : Json(nullptr);
 }
 
-Json measuresJson(const std::vector<Measure>& measures) {
-  Json json = Json::object();
-  for (const Measure& measure : measures) json[measure.name] = measureJson(measure);
+Json measureJson(const Measure& measure) {
+  Json json{{"value", numberOrNull(measure.value)},   {"unit", measure.unit},
+            {"support", std::round(measure.support)}, {"low", numberOrNull(measure.low)},
+            {"high", numberOrNull(measure.high)},     {"meaningful", measure.isMeaningful}};
+  if (measure.place) json["x"] = rounded(measure.place->x), json["y"] = rounded(measure.place->y);
   return json;
 }
 
@@ -154,11 +156,9 @@ std::string scoreText(const RunScore& score, const std::string& coverage,
 
 }  // namespace
 
-Json measureJson(const Measure& measure) {
-  Json json{{"value", numberOrNull(measure.value)},   {"unit", measure.unit},
-            {"support", std::round(measure.support)}, {"low", numberOrNull(measure.low)},
-            {"high", numberOrNull(measure.high)},     {"meaningful", measure.isMeaningful}};
-  if (measure.place) json["x"] = rounded(measure.place->x), json["y"] = rounded(measure.place->y);
+Json measuresJson(const std::vector<Measure>& measures) {
+  Json json = Json::object();
+  for (const Measure& measure : measures) json[measure.name] = measureJson(measure);
   return json;
 }
 

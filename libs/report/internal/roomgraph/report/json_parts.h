@@ -35,7 +35,7 @@ inline Json placedRoomJson(const SiteRoom& room, const Json& doors) {
           {"doors", doors}};
 }
 
-/** A figure as all files hold it, under its name. */
-Json measureJson(const Measure& measure);
+/** Figures as all files hold them, by their names. */
+Json measuresJson(const std::vector<Measure>& measures);
 
 }  // namespace roomgraph
