@@ -1,8 +1,8 @@
-#include "room_colours.h"
-
 #include <gtest/gtest.h>
 
 #include <tuple>
+
+#include "draw_layers.h"
 
 namespace roomgraph {
 namespace {

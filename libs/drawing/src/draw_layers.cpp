@@ -1,9 +1,9 @@
 #include "draw_layers.h"
 
 #include <algorithm>
+#include <array>
 
 #include "View.h"
-#include "room_colours.h"
 #include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
@@ -65,6 +65,15 @@ void strokeSample(const Pen& pen, Point place, Colour colour, double widthPx) {
   pen.stroke(widthPx);
 }
 
+constexpr std::array<Colour, 6> kRoomColours{ink::sky,    ink::orange, ink::green,
+                                             ink::purple, ink::yellow, ink::vermilion};
+constexpr double kNeighbouring = 1.0;  // [m] between the boxes of two rooms
+
+bool areNear(const Box& a, const Box& b) {
+  return a.low.x - kNeighbouring < b.high.x && b.low.x - kNeighbouring < a.high.x &&
+         a.low.y - kNeighbouring < b.high.y && b.low.y - kNeighbouring < a.high.y;
+}
+
 constexpr double kPassagePx = 2.4;
 constexpr Colour kClutter{150, 60, 118};
 
@@ -75,6 +84,25 @@ void finishRings(const Pen& pen) {
 }
 
 }  // namespace
+
+std::vector<Colour> roomColours(const std::vector<const Polygon*>& rooms) {
+  std::vector<Box> boxes;
+  std::vector<std::size_t> choice;
+  std::array<int, kRoomColours.size()> used{};
+  for (const Polygon* room : rooms) {
+    boxes.push_back(room->outer.empty() ? Box{} : boundingBox(room->outer));
+    std::array<int, kRoomColours.size()> usedNear{};
+    for (std::size_t r = 0; r < choice.size(); ++r)
+      if (areNear(boxes.back(), boxes[r])) ++usedNear[choice[r]];
+    std::size_t best = 0;
+    for (std::size_t c = 1; c < kRoomColours.size(); ++c)
+      if (std::make_pair(usedNear[c], used[c]) < std::make_pair(usedNear[best], used[best]))
+        best = c;
+    ++used[best];
+    choice.push_back(best);
+  }
+  return mapped(choice, [](std::size_t c) { return kRoomColours[c]; });
+}
 
 void drawRooms(const Pen& pen, const std::vector<const Polygon*>& rooms) {
   const std::vector<Colour> colours = roomColours(rooms);

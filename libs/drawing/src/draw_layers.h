@@ -11,6 +11,10 @@
 
 namespace roomgraph {
 
+/** A colour for each room, such that rooms near to each other differ as long as there are colours
+ *  left. Depends on the order of the rooms. O(n^2) in the number of rooms, but quick. */
+std::vector<Colour> roomColours(const std::vector<const Polygon*>& rooms);
+
 /** Each layer is drawn over the ones before it. */
 void drawRooms(const Pen& pen, const std::vector<const Polygon*>& rooms);
 /** Ways inside of rooms thin and dashed below, corridors on top of them. */
