@@ -3,7 +3,7 @@ include(CMakeFindDependencyMacro)
 include("${CMAKE_CURRENT_LIST_DIR}/RoomgraphMrpt.cmake")
 roomgraph_need_mrpt(maps)
 roomgraph_need_mrpt(viz)
-find_dependency(Boost CONFIG)  # headers of Boost.Polygon
+find_dependency(Boost CONFIG)  # headers alone
 find_dependency(Ceres)      # the consensus of several runs
 find_dependency(CGAL)       # only its kernel, which is LGPL
 find_dependency(EXPAT)
