@@ -20,10 +20,10 @@ TEST(FaultsOf, aBreakIsShownByTheScansOnBothSidesOfIt) {
   const std::vector<Fault> faults = faultsOf(check);
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_EQ(faults[0].name(), "break1");
-  EXPECT_EQ(faults[0].earlier.first, 10u);
-  EXPECT_EQ(faults[0].earlier.last, 28u);
-  EXPECT_EQ(faults[0].later.first, 30u);
-  EXPECT_EQ(faults[0].later.last, 48u);
+  EXPECT_EQ(faults[0].earlier.from, 10u);
+  EXPECT_EQ(faults[0].earlier.to, 28u);
+  EXPECT_EQ(faults[0].later.from, 30u);
+  EXPECT_EQ(faults[0].later.to, 48u);
   EXPECT_EQ(faults[0].mend->x, -1);
 }
 
@@ -34,8 +34,8 @@ TEST(FaultsOf, twoTimesAreShownByTheScansBesideThem) {
   const std::vector<Fault> faults = faultsOf(check);
   ASSERT_EQ(faults.size(), 2u);
   EXPECT_EQ(faults[0].name(), "doubled1");
-  EXPECT_EQ(faults[0].earlier.first, 0u);
-  EXPECT_EQ(faults[0].earlier.last, 24u);
+  EXPECT_EQ(faults[0].earlier.from, 0u);
+  EXPECT_EQ(faults[0].earlier.to, 24u);
   EXPECT_TRUE(faults[0].later.holds(78)) << "the next one that has a scan, and the last";
   EXPECT_EQ(faults[0].mend->y, 2);
   EXPECT_EQ(faults[1].name(), "welded1");

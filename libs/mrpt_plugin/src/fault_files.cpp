@@ -116,7 +116,7 @@ std::string faultSceneBytes(const Comparison& comparison, const Fault& fault,
 
 std::vector<PlacedScan> scansAtFault(const Fault& fault, const Transform2D& pose,
                                      const std::vector<PlacedScan>& all, bool isUntorn) {
-  const auto scansOf = [&](const KeyFrameRange& range, const Transform2D& motion) {
+  const auto scansOf = [&](const KeyFrames& range, const Transform2D& motion) {
     std::vector<PlacedScan> scans;
     std::copy_if(all.begin(), all.end(), std::back_inserter(scans),
                  [&](const PlacedScan& scan) { return range.holds(scan.keyFrame); });

@@ -77,7 +77,7 @@ std::string mapPicture(const RunCheck& check, const Run& run) {
 }
 
 /** What some scans have met within kScanReach of a place, moved by `motion` first. */
-std::vector<Point> wallsNear(Point middle, const Run& run, const KeyFrameRange& range,
+std::vector<Point> wallsNear(Point middle, const Run& run, const KeyFrames& range,
                              const Transform2D& motion) {
   std::vector<Point> walls;
   for (const ScanWalls& scan : run.scans) {

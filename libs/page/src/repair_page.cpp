@@ -63,9 +63,8 @@ std::string picture(const Drawing& drawing, const std::string& viewBox, const ch
   std::string known, driven;
   for (std::size_t k = 1; k < drawing.path.size(); ++k) {
     const std::size_t frame = run.scans[k].keyFrame;
-    const bool isUnseen = std::any_of(unseen.begin(), unseen.end(), [&](const KeyFrames& stretch) {
-      return stretch.from <= frame && frame <= stretch.to;
-    });
+    const bool isUnseen = std::any_of(unseen.begin(), unseen.end(),
+                                      [&](const KeyFrames& some) { return some.holds(frame); });
     const Point from = drawing.path[k - 1], to = drawing.path[k];
     (isUnseen ? driven : known) += formatted("M%.0f %.0fL%.0f %.0f", from.x, from.y, to.x, to.y);
   }

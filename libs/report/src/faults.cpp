@@ -28,7 +28,7 @@ Fault faultAt(const MapBreak& tear, const Path& path) {
 }
 
 /** The scans beside the one at which a stretch is shown. */
-KeyFrameRange framesOf(const DrawnStretch& stretch, const std::vector<CheckedPose>& path) {
+KeyFrames framesOf(const DrawnStretch& stretch, const std::vector<CheckedPose>& path) {
   const auto found = std::find_if(path.begin(), path.end(), [&](const CheckedPose& pose) {
     return pose.keyFrame >= stretch.keyFrame;
   });

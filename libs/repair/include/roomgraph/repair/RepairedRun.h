@@ -8,6 +8,7 @@
 #include "roomgraph/base/enum_names.h"
 #include "roomgraph/geometry/PlanarCovariance.h"
 #include "roomgraph/geometry/Transform2D.h"
+#include "roomgraph/scans/Keyframe.h"
 
 namespace roomgraph {
 
@@ -20,16 +21,6 @@ enum class RepairState {
 [[nodiscard]] constexpr std::array<const char*, 3> enumNames(RepairState) {
   return {"mended", "kept", "reference"};
 }
-
-/** Successive key frames, by their numbers in the file, both included. */
-struct KeyFrames {
-  std::size_t from = 0, to = 0;
-
-  /** "5", or "5 to 8". */
-  [[nodiscard]] std::string text() const {
-    return from == to ? std::to_string(from) : std::to_string(from) + " to " + std::to_string(to);
-  }
-};
 
 /** A run after its repair. Poses are those of its scans, in their order: run <- robot. */
 struct RepairedRun {

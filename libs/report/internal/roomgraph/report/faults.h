@@ -8,6 +8,7 @@
 #include "roomgraph/base/enum_names.h"
 #include "roomgraph/check/RunCheck.h"
 #include "roomgraph/compare/Comparison.h"
+#include "roomgraph/scans/Keyframe.h"
 
 namespace roomgraph {
 
@@ -27,16 +28,6 @@ enum class FaultKind {
   return {"break", "doubled", "welded"};
 }
 
-/** Key frames of a run by their numbers, both ends included; none where the last one is before the
- *  first. */
-struct KeyFrameRange {
-  std::size_t first = 1, last = 0;
-
-  [[nodiscard]] bool holds(std::size_t keyFrame) const {
-    return first <= keyFrame && keyFrame <= last;
-  }
-};
-
 /** Two times of a run that do not fit each other as it has drawn them. */
 struct Fault {
   FaultKind kind = FaultKind::broken;
@@ -44,7 +35,7 @@ struct Fault {
   std::string run, text;                ///< its name; for people
   Point place;                          ///< where the earlier time has drawn it [m]
   std::optional<std::size_t> keyFrame;  ///< at which the later time is shown
-  KeyFrameRange earlier, later;         ///< those that are shown; none of a run without scans
+  KeyFrames earlier, later;             ///< those that are shown; none of a run without scans
   std::optional<Transform2D> mend;      ///< lays the later time on the earlier one, if it is known
 
   /** "break1", as in the names of files. */

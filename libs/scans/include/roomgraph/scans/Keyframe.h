@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "roomgraph/geometry/Transform2D.h"
@@ -20,6 +21,20 @@ struct Keyframe {
   std::uint64_t scanId = 0;
   /** Where beams met something, in the order of the scan [m, robot frame]. */
   std::vector<Point> ends;
+};
+
+/** Successive key frames, by their numbers in the file, both included; none where the last one is
+ *  before the first. */
+struct KeyFrames {
+  std::size_t from = 1, to = 0;
+
+  [[nodiscard]] bool holds(std::size_t keyFrame) const {
+    return from <= keyFrame && keyFrame <= to;
+  }
+  /** "5", or "5 to 8". */
+  [[nodiscard]] std::string text() const {
+    return from == to ? std::to_string(from) : std::to_string(from) + " to " + std::to_string(to);
+  }
 };
 
 }  // namespace roomgraph
