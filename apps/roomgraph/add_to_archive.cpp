@@ -70,7 +70,7 @@ std::string keepRepaired(const std::string& kept, const std::vector<std::string>
   SiteArguments site = arguments;
   site.files = record;
   site.files.push_back(kept);
-  const auto runs = solveRuns(site);
+  const auto runs = solvedRunsOf(site);
   for (const RepairedRun& one : repairRuns(runs->solved, rejoinPieces(runs->solved)))
     if (const Run& run = runs->read.runs[one.run]; run.file == kept) return writeRepaired(run, one);
   return printable(kept) + ": has no scans, or fits no other run: nothing can be mended\n";

@@ -53,16 +53,16 @@ std::unique_ptr<SolvedRuns> solveBoth(const CarryArguments& arguments) {
   site.files = site.needed = {arguments.from, arguments.to};
   if (!arguments.via.empty()) {
     site.files.insert(site.files.end(), arguments.via.begin(), arguments.via.end());
-    auto runs = solveRuns(site);
+    auto runs = solvedRunsOf(site);
     const Site& found = runs->solved.site;
     if (found.placeOf(arguments.from) && found.placeOf(arguments.to)) return runs;
     site.files.resize(2);
   }
   site.areOneSite = true;
-  return solveRuns(site);
+  return solvedRunsOf(site);
 }
 
-std::size_t placeIn(const Site& site, const std::string& file) {
+std::size_t placeOfFile(const Site& site, const std::string& file) {
   if (const auto place = site.placeOf(file)) return *place;
   throw DataError(file +
                   ": does not fit the other map, so nothing can be carried: name runs that " +
@@ -125,8 +125,8 @@ int run(const CarryArguments& given) {
   checkFiles(arguments, files);
   const ResultFolder folder(arguments.site.folder);
   const auto runs = solveBoth(arguments);
-  const std::size_t from = placeIn(runs->solved.site, arguments.from),
-                    to = placeIn(runs->solved.site, arguments.to);
+  const std::size_t from = placeOfFile(runs->solved.site, arguments.from),
+                    to = placeOfFile(runs->solved.site, arguments.to);
   const RealPoses real = rejoinPieces(runs->solved);
   const RunningArguments& running = arguments.site.running;
   const ForEach forEach = onThreads(running.threads, !running.isQuiet);

@@ -175,7 +175,7 @@ int mergeSite(const MergeArguments& arguments) {
   checkFiles(arguments);
   const ResultFolder folder(arguments.folder);
   const CompareMapsOptions options = toCompareOptions(arguments.options);
-  const auto runs = solveRuns(arguments);
+  const auto runs = solvedRunsOf(arguments);
   Merging merging = chooseRuns(*runs, options.extract.loadGrid);
   MergeOptions how;
   how.resolution = options.extract.loadGrid.resolution, how.prefersLatest = arguments.prefersLatest;

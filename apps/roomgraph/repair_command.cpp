@@ -153,7 +153,7 @@ int run(RepairArguments arguments) {
   check(arguments);
   const ResultFolder folder(site.folder);
   if (site.files.size() == 1 && site.reference.empty()) return runAlone(arguments);
-  const auto runs = solveRuns(site);
+  const auto runs = solvedRunsOf(site);
   if (runs->solved.site.runs.size() < 2)
     throw DataError("repair: no two runs lie in one site: name one alone to mend it by itself");
   printBare(*runs, arguments);

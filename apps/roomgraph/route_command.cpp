@@ -93,7 +93,7 @@ bool isPlace(Point place) {
 
 /** Where one stands that is in an area: where the vertex of a room is, or on a way through a
  *  corridor, next to its widest place: there may be clutter, or it may be open to outside. */
-Point placeIn(const GraphFile& file, AreaId id) {
+Point placeInArea(const GraphFile& file, AreaId id) {
   const Area& area = file.areas.areas[id.index()];
   if (area.isRoom()) return file.graph.rooms[area.room.index()].center;
   Point nearest = area.widestPlace;
@@ -122,7 +122,7 @@ Point placeOf(const GraphFile& file, const std::vector<std::string>& words, cons
       isPlace(place))
     return place;
   for (std::size_t a = 0; a < file.areas.areas.size() && words.size() == 1; ++a)
-    if (areaName(file, AreaId(a)) == words[0]) return placeIn(file, AreaId(a));
+    if (areaName(file, AreaId(a)) == words[0]) return placeInArea(file, AreaId(a));
   throw UsageError(std::string(option) + " takes a room or corridor of this map (" +
                    knownAreas(file) + "), or x and y in metres, such as '" + option + " 1.5 2'");
 }

@@ -76,7 +76,7 @@ void declareSite(SiteArguments& arguments, const std::string& results, CLI::App&
   declareOptions(arguments.options, app);
 }
 
-std::unique_ptr<SolvedRuns> solveRuns(const SiteArguments& arguments) {
+std::unique_ptr<SolvedRuns> solvedRunsOf(const SiteArguments& arguments) {
   CompareMapsOptions options = siteOptions(arguments);
   UnusedOptions unused;
   options.onNote = unused.takeOrWarn();

@@ -39,6 +39,6 @@ struct SolvedRuns {
 };
 
 /** Reads, relates and solves as `compare` does, and tells on stderr what is left out. */
-std::unique_ptr<SolvedRuns> solveRuns(const SiteArguments& arguments);
+std::unique_ptr<SolvedRuns> solvedRunsOf(const SiteArguments& arguments);
 
 }  // namespace roomgraph

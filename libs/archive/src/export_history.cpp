@@ -99,7 +99,7 @@ Json knownRoomJson(const SiteRoom& room) {
   return {{"id", room.id}, {"name", utf8Text(room.name)}, {"area_m2", numberOrNull(room.area)}};
 }
 
-Json siteJson(const WatchedSite& site) {
+Json watchedSiteJson(const WatchedSite& site) {
   const SiteHistory& history = site.history;
   const auto robot = [&](const RobotWatch& of) { return robotJson(of, history); };
   const auto change = [&](const RoomChange& of) {
@@ -229,7 +229,7 @@ std::string historyJson(const std::vector<WatchedSite>& sites) {
   const Json json = {{"format", "roomgraph/archive"},
                      {"version", 1},
                      {"program", programJson()},
-                     {"sites", mapped(sites, siteJson)}};
+                     {"sites", mapped(sites, watchedSiteJson)}};
   return json.dump(1) + "\n";
 }
 

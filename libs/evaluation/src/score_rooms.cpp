@@ -15,14 +15,14 @@
 namespace roomgraph {
 namespace {
 
-struct Measure {
+struct Share {
   const char* name;  ///< as it is published
   const char* key;   ///< in the JSON
   std::optional<double> RoomScore::*value;
   const char* meaning;
 };
 
-constexpr Measure kShares[] = {
+constexpr Share kShares[] = {
     {"P micro", "p_micro_percent", &RoomScore::precisionMicro,
      "of a region of LABELS lies in one of TRUTH, mean of the regions"},
     {"P macro", "p_macro_percent", &RoomScore::precisionMacro, "the same, mean of the pixels"},
@@ -219,9 +219,9 @@ std::string roomScoreText(const RoomScore& score) {
   text += countLine("pixels in regions", score.seg.pixels, score.truth.pixels);
   text += countLine("pixels in both", score.pixelsInBoth, score.pixelsInBoth);
   text += countLine("paired one to one", score.pairs, score.pairs);
-  for (const Measure& measure : kShares)
-    text += line("%-8s %7s %%  %s\n", measure.name, number("%.2f", score.*measure.value, 100),
-                 measure.meaning);
+  for (const Share& share : kShares)
+    text += line("%-8s %7s %%  %s\n", share.name, number("%.2f", score.*share.value, 100),
+                 share.meaning);
   return text + line("%-8s %7s    %s\n", "MCC", number("%.4f", score.mcc, 1),
                      "Matthews correlation of regions paired one to one, 0 for those without");
 }
@@ -234,10 +234,10 @@ std::string roomScoreJson(const RoomScore& score) {
   document.add("truth", json(score.truth));
   document.add("pixels_in_both", score.pixelsInBoth);
   document.add("pairs", score.pairs);
-  for (const Measure& measure : kShares) {
-    const std::optional<double> share = score.*measure.value;
-    document.add(measure.key,
-                 roundedTo(share ? std::optional<double>(100 * *share) : std::nullopt, 4));
+  for (const Share& share : kShares) {
+    const std::optional<double> value = score.*share.value;
+    document.add(share.key,
+                 roundedTo(value ? std::optional<double>(100 * *value) : std::nullopt, 4));
   }
   document.add("mcc", roundedTo(score.mcc, 6));
   return std::move(document).text();

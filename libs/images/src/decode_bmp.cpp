@@ -11,7 +11,7 @@ constexpr std::uint32_t kFileHeaderSize = 14;
 constexpr std::uint32_t kOldInfoSize = 12;  // OS/2's, with sizes of 16 bits
 constexpr std::uint32_t kOs2InfoSize = 64;  // numbers its compressions in another way
 constexpr std::uint32_t kInfoSizes[] = {kOldInfoSize, 40, 52, 56, kOs2InfoSize, 108, 124};
-enum Compression : std::uint32_t { kNone = 0, kMasks = 3, kMasksWithAlpha = 6 };
+enum BmpCompression : std::uint32_t { kNone = 0, kMasks = 3, kMasksWithAlpha = 6 };
 
 void readOldInfo(ByteReader& reader, BmpHeader& header) {
   header.width = reader.get<std::uint16_t>();

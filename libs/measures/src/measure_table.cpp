@@ -8,16 +8,16 @@
 namespace roomgraph {
 namespace {
 
-using Evidence = const SiteEvidence&;
+using Known = const SiteEvidence&;
 using Index = std::size_t;  // of a run
 
 /** A quantile of the distances between the walls of a run and those of the others. */
 MeasureRow wallDistance(const MeasureKind& kind, double share) {
   return {kind,
-          [share](Evidence all, Index run) {
+          [share](Known all, Index run) {
             return wallDistanceOf(all.sightings.distances, all.trust, run, share);
           },
-          [share](Evidence all, Index a, Index b) {
+          [share](Known all, Index a, Index b) {
             return wallDistanceOfPair(all.sightings.distances, a, b, share);
           }};
 }
@@ -26,36 +26,36 @@ MeasureRow ofSightings(const MeasureKind& kind,
                        MeasuredValue (*figure)(const SightingTable&, const DistinctMaps&,
                                                const Trust&, Index)) {
   return {kind,
-          [figure](Evidence all, Index run) {
+          [figure](Known all, Index run) {
             return figure(all.sightings, all.maps, all.witnesses, run);
           },
           {}};
 }
 
 MeasureRow ofMap(const MeasureKind& kind, MeasuredValue (*figure)(const Run&)) {
-  return {kind, [figure](Evidence all, Index run) { return figure(*all.site.runs[run]); }, {}};
+  return {kind, [figure](Known all, Index run) { return figure(*all.site.runs[run]); }, {}};
 }
 
 std::vector<MeasureRow> wallRows() {
   return {
       {{"coverage", "Coverage", "1", kFewestThings,
         "Of what two runs have seen free, the share it has seen."},
-       [](Evidence all, Index run) { return all.coverage[run]; },
+       [](Known all, Index run) { return all.coverage[run]; },
        {}},
       {{"bend", "Bend away from the others", "m", kFewestWalls,
         "Mean bend against the others, by trust."},
-       [](Evidence all, Index run) { return bendOf(all.bends, all.maps, all.trust, run); },
-       [](Evidence all, Index a, Index b) { return bendOfPair(all.bends(a, b)); }},
+       [](Known all, Index run) { return bendOf(all.bends, all.maps, all.trust, run); },
+       [](Known all, Index a, Index b) { return bendOfPair(all.bends(a, b)); }},
       {{"followed", "Walls found again", "1", kFewestWalls, "Share of the walls that both have."},
        {},
-       [](Evidence all, Index a, Index b) { return followedOfPair(all.bends(a, b)); }},
+       [](Known all, Index a, Index b) { return followedOfPair(all.bends(a, b)); }},
       ofMap({"axis_deviation", "Walls off right angles, median", "deg", 0,
              "Median angle between its walls and the nearer of its two main directions."},
             axisDeviationOf),
       {{"wall_distance_mean", "Wall distance, mean", "m", kFewestWalls,
         "Mean distance of the walls of both."},
        {},
-       [](Evidence all, Index a, Index b) {
+       [](Known all, Index a, Index b) {
          return meanWallDistanceOfPair(all.sightings.distances, a, b);
        }}};
 }
@@ -81,22 +81,21 @@ std::vector<MeasureRow> wallPlaceRows() {
 std::vector<MeasureRow> roomRows() {
   return {{{"rooms_matched", "Rooms found again", "1", 3,
             "Of the rooms of the others that it has seen, the share it has, too."},
-           [](Evidence all, Index run) { return roomsMatchedOf(all.rooms, all.trust, run); },
+           [](Known all, Index run) { return roomsMatchedOf(all.rooms, all.trust, run); },
            {}},
           {{"room_coverage", "Room area of the others that it has", "1", kFewestThings,
             "Of the area of all rooms of the others, the share in rooms that it has, too."},
-           [](Evidence all, Index run) { return roomCoverageOf(all.rooms, all.trust, run); },
+           [](Known all, Index run) { return roomCoverageOf(all.rooms, all.trust, run); },
            {}}};
 }
 
 MeasureRow ofGraphs(const MeasureKind& kind, const GraphFigure& figure) {
-  return {kind,
-          [figure](Evidence all, Index run) {
-            return graphMeasureOf(figure, all.graphs, all.trust, run);
-          },
-          [figure](Evidence all, Index a, Index b) {
-            return graphMeasureOfPair(figure, all.graphs(a, b));
-          }};
+  return {
+      kind,
+      [figure](Known all, Index run) { return graphMeasureOf(figure, all.graphs, all.trust, run); },
+      [figure](Known all, Index a, Index b) {
+        return graphMeasureOfPair(figure, all.graphs(a, b));
+      }};
 }
 
 MeasureRow ofGraphs(const MeasureKind& kind, Figure GraphComparison::*figure) {
@@ -151,7 +150,7 @@ std::vector<MeasureRow> graphRows() {
 std::vector<MeasureRow> mapRows() {
   return {
       {{"brokenness", "Extra pieces", "pieces", kFewestWalls, "Rigid pieces of the map, less one."},
-       [](Evidence all, Index run) {
+       [](Known all, Index run) {
          return brokennessOf(all.site, all.pairs, all.trust, run, all.breaks[run].size());
        },
        {}},

@@ -31,7 +31,7 @@ bool isFreeNear(const WallMap& map, Point place, double reach) {
 }
 
 /** Both ways of the site in one. */
-struct Route {
+struct BothWays {
   BendField::Carried there, onward;
 };
 
@@ -74,57 +74,57 @@ class Carrier {
 
   CarriedPlace carry(const Place& place) const {
     CarriedPlace carried;
-    const auto route = routeOf(place.pose);
-    if (!route) {
+    const auto ways = waysOf(place.pose);
+    if (!ways) {
       carried.reason = "neither map has been near it";
       return carried;
     }
-    carried.pose = route->onward.pose;
+    carried.pose = ways->onward.pose;
     carried.error =
-        std::hypot(fitted::kLeastSpread, std::hypot(route->there.spread, route->onward.spread));
-    judge(place, *route, carried);
+        std::hypot(fitted::kLeastSpread, std::hypot(ways->there.spread, ways->onward.spread));
+    judge(place, *ways, carried);
     return carried;
   }
 
  private:
-  std::optional<Route> routeOf(const Transform2D& place) const {
+  std::optional<BothWays> waysOf(const Transform2D& place) const {
     const auto there = fields_.front()(place);
     if (!there || !isThroughSite_)
-      return there ? std::make_optional(Route{*there, *there}) : std::nullopt;
+      return there ? std::make_optional(BothWays{*there, *there}) : std::nullopt;
     const auto onward = fields_.back()(there->pose);
-    return onward ? std::make_optional(Route{*there, *onward}) : std::nullopt;
+    return onward ? std::make_optional(BothWays{*there, *onward}) : std::nullopt;
   }
 
-  void judge(const Place& place, const Route& route, CarriedPlace& carried) const {
+  void judge(const Place& place, const BothWays& ways, CarriedPlace& carried) const {
     const Point point = carried.pose->shift(), was = place.pose.shift();
     const auto flag = [&](CarryState state, const std::string& reason) {
       carried.state = state, carried.reason = reason;
     };
     carried.state = CarryState::carried;
-    if (route.onward.nearest > fitted::kBeenThere)
+    if (ways.onward.nearest > fitted::kBeenThere)
       return flag(
           CarryState::unseen,
-          formatted("on the new map the robot came no nearer than %.1f m", route.onward.nearest));
+          formatted("on the new map the robot came no nearer than %.1f m", ways.onward.nearest));
     const bool wasFree = !place.isCorner && stateAt(old_, was) == State::free;
     if (wasFree && stateAt(new_, point) == State::occupied &&
         !isFreeNear(new_, point, 3 * carried.error))
       return flag(CarryState::gone, "what was free is a wall now");
     if (wasFree && stateAt(new_, point) == State::occupied)
       return flag(CarryState::unsure, "it lies in a wall, with free space beside it");
-    if (const std::string doubt = doubtOf(place, route, carried); !doubt.empty())
+    if (const std::string doubt = doubtOf(place, ways, carried); !doubt.empty())
       return flag(CarryState::unsure, doubt);
   }
 
   /** What speaks against it, in words; empty for nothing. Where what lies around it is found
    *  beside it, the error grows by that. */
-  std::string doubtOf(const Place& place, const Route& route, CarriedPlace& carried) const {
-    if (std::max(route.there.rival, route.onward.rival) > BendField::kSameCopy) return kTwice;
+  std::string doubtOf(const Place& place, const BothWays& ways, CarriedPlace& carried) const {
+    if (std::max(ways.there.rival, ways.onward.rival) > BendField::kSameCopy) return kTwice;
     if (carried.error > fitted::kLargeError) return "the maps bend here";
     if (isOnlySaid_) return "the maps hardly show that they are of one site";
     if (!place.isCorner && !isFreeNear(old_, place.pose.shift(), kSameWhereBent))
       return "the old map shows no free space there";
     const LocalScan view = viewFrom(old_, place.pose, kPatchReach);
-    if (!view.isTelling()) return doubtUnseen(place, route, carried);
+    if (!view.isTelling()) return doubtUnseen(place, ways, carried);
     const Transform2D& pose = *carried.pose;
     const ScanFit here = fitNear(view, new_, pose);
     if (here.known < kMajority) return "the new map has hardly seen what lies around it";
@@ -152,12 +152,12 @@ class Carrier {
   }
 
   /** The same of a place of which the old map shows too little to know it by. */
-  std::string doubtUnseen(const Place& place, const Route& route,
+  std::string doubtUnseen(const Place& place, const BothWays& ways,
                           const CarriedPlace& carried) const {
     if (!isPlaceSure_) return kAmbiguous;
-    if (!route.there.isKnown || !route.onward.isKnown) return "only one of the maps has been here";
+    if (!ways.there.isKnown || !ways.onward.isKnown) return "only one of the maps has been here";
     const bool isNew =
-        !route.onward.isSeen || stateAt(new_, carried.pose->shift()) == State::unknown;
+        !ways.onward.isSeen || stateAt(new_, carried.pose->shift()) == State::unknown;
     const bool wasSeen = stateAt(old_, place.pose.shift()) != State::unknown;
     return wasSeen && isNew ? "the new map has hardly seen it" : "";
   }
