@@ -3,7 +3,7 @@
 #include <tuple>
 
 #include "goes_on.h"
-#include "roomgraph/base/containers.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/geometry/Polyline.h"
 #include "roomgraph/topology/face_areas.h"
 

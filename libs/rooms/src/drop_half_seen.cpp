@@ -1,6 +1,6 @@
 #include "roomgraph/rooms/drop_half_seen.h"
 
-#include "roomgraph/base/containers.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/rooms/RoomIndex.h"
 
 namespace roomgraph {

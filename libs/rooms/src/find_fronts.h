@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   RegionGroups before any has joined, and the map without clutter
 // Out:  the edges through the open fronts of cubicles
 // Next: splitAtDoors

@@ -7,7 +7,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   VoronoiGraph and its Regions
 // Out:  which pieces of corridor are halls
 // Next: numberRegions

@@ -8,7 +8,7 @@
 
 #include "goes_on.h"
 #include "join_leftovers.h"
-#include "roomgraph/base/containers.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {

@@ -3,7 +3,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   an opening, and the map without clutter
 // Out:  whether its wall goes on beside it, and whether it is in a corridor's side, or across one
 // Next: findFronts, splitAtDoors, passageEvidence

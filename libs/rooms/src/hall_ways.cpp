@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "HallGraph.h"
-#include "roomgraph/base/containers.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/grid/polygon_cells.h"
 #include "straight_ways.h"
 

@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   a border of two areas, and the map without clutter
 // Out:  PassageEvidence
 // Next: areaGraph

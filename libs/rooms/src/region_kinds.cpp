@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "roomgraph/base/containers.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/geometry/Polygon.h"
 

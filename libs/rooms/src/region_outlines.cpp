@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "roomgraph/base/containers.h"
-#include "roomgraph/base/mapped.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/rooms/trace_rooms.h"
 

@@ -12,7 +12,7 @@
 #include "join_leftovers.h"
 #include "number_regions.h"
 #include "region_kinds.h"
-#include "roomgraph/base/containers.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {

@@ -4,7 +4,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   VoronoiGraph of the whole map, its clear edges, and the RegionOutlines
 // Out:  the edges without those of half-seen space
 // Next: topologyGraph

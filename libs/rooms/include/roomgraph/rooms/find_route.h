@@ -7,7 +7,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   RoomGraph, AreaGraph, two places
 // Out:  Route
 // Next: to drive there, or to tell it

@@ -6,7 +6,6 @@
 
 namespace roomgraph {
 
-// Ours
 // In:   the map without clutter with its VoronoiGraph and Regions, and its walls
 // Out:  RegionOutlines; the diagram is not needed any more
 // Next: borderVertices (the rooms), areaGraph

@@ -1,2 +1,0 @@
-#pragma once
-#include "roomgraph/base/sequences.h"
