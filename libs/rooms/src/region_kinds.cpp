@@ -136,6 +136,9 @@ bool isWayThrough(const RegionGroups& regions, std::uint32_t region, const Neigh
   return count > 1 && 2 * regions.radius(region) * (1 + kSameWidth) < regions.options().maxWidth;
 }
 
+/** Whether it is too narrow for a room, also beside the rest of the map; or narrow, and not closed
+ *  by walls and doors; or a way through; or long with two ways out, or far longer than a room with
+ *  one. `own` is its own width. */
 bool isCorridor(const RegionGroups& regions, std::uint32_t region, const Neighbours& around,
                 double own, double leastWidth) {
   const double width = 2 * regions.radius(region) * (1 + kSameWidth);
