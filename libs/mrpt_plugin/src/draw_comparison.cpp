@@ -164,11 +164,10 @@ viz::CSetOfObjects::Ptr breaksOf(const Comparison& comparison, Writer& writer, d
   for (const MapBreak& tear : comparison.breaks) {
     rings->insert(diskAt(tear.place, height, mrptColour(runColour(places[tear.run])), kBreakRadius,
                          0.7 * kBreakRadius));
-    std::string words = tear.run;
-    if (tear.keyFrame) words += ", key frame " + std::to_string(*tear.keyFrame);
-    rings->insert(writer.written(
-        words, kWordColour, tear.place + writer.level()(Point{-kBreakRadius, 1.2 * kBreakRadius}),
-        height));
+    if (tear.keyFrame)
+      rings->insert(writer.written(
+          std::to_string(*tear.keyFrame), kWordColour,
+          tear.place + writer.level()(Point{-kBreakRadius, 1.2 * kBreakRadius}), height));
   }
   return rings;
 }

@@ -38,7 +38,7 @@ class CMapComparison : public mrpt::serialization::CSerializable,
   std::string asString() const override;
   /** Adds one set of objects, named "comparison", to `container`: for each run a set with its name
    *  and its pose, its walls in the colour that it has in the report; then "rooms", "room names",
-   *  "breaks" (rings with run and key frame) and "legend". */
+   *  "breaks" (rings with the key frame) and "legend". */
   void getVisualizationInto(viz::CSetOfObjects& container) const override;
 };
 
