@@ -197,7 +197,7 @@ class Pieces {
     const Point right = regions_.voronoi().obstacles[edge.right];
     return regions_.clearance(edge) < regions_.options().corridorDoor / 2 &&
            regions_.isFacing(edge) && isInRoughWall(grid_, left, right) &&
-           !isAcrossCorridor(grid_, left, right);
+           !isAcrossOneWidth(grid_, left, right);
   }
 
   /** A lobby stands out: it is wider than where two corridors cross at right angles, a square. By

@@ -88,10 +88,9 @@ bool isInLongSide(const Grid& grid, Point from, Point to, double elongation) {
   return false;
 }
 
-bool isAcrossCorridor(const Grid& grid, Point from, Point to) {
+bool isAcrossOneWidth(const Grid& grid, Point from, Point to) {
   const Point along = stepOut(grid, to, from), middle = midpoint(from, to);
-  const int half = halfWidth(grid, to, from);
-  const Point out = double(half) * toLeft(along);
+  const Point out = double(halfWidth(grid, to, from)) * toLeft(along);
   const auto lengthAt = [&](Point p) {
     return 1 + freeRun(grid, p, along) + freeRun(grid, p, -1 * along);
   };
@@ -100,7 +99,7 @@ bool isAcrossCorridor(const Grid& grid, Point from, Point to) {
     return std::min(lengthAt(middle + side * out), lengthAt(middle + 2 * side * out));
   };
   const auto [least, most] = std::minmax({width(1), width(-1)});
-  return most <= std::sqrt(2.0) * least || least <= std::sqrt(2.0) * 2 * half;
+  return most <= std::sqrt(2.0) * least;
 }
 
 }  // namespace roomgraph

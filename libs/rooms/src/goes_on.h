@@ -34,8 +34,7 @@ bool isInRoughWall(const Grid& grid, Point from, Point to);
 bool isInLongSide(const Grid& grid, Point from, Point to, double elongation);
 
 /** Whether what lies on both sides of an opening is about as wide, there, as a corridor is on both
- *  sides of a door in it, or hardly wider than the opening, as a corridor that ends there. O(length
- *  in cells). */
-bool isAcrossCorridor(const Grid& grid, Point from, Point to);
+ *  sides of a door in it. O(length in cells). */
+bool isAcrossOneWidth(const Grid& grid, Point from, Point to);
 
 }  // namespace roomgraph
