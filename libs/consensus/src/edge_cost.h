@@ -36,7 +36,7 @@ struct TurnedPose {
   }
 };
 
-// The terms of docs/scoring.md, "The cost".
+// The terms of docs/method.md, "The cost".
 
 /** How an edge counts: residuals are in units of `noise`; beyond `width` of these the Cauchy kernel
  *  lets go. */

@@ -22,7 +22,7 @@ constexpr double kGivenUp = 1e-3;
  *  however many scans it has. */
 double beliefOf(double share);
 
-/** What it costs to give up a group, see docs/scoring.md, "Belief". Its matches are no independent
+/** What it costs to give up a group, see docs/method.md, "Belief". Its matches are no independent
  *  witnesses, so it grows with the root of their number. */
 double costOfGivingUp(const MatchGroup& group);
 

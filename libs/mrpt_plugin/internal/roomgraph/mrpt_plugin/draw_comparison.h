@@ -14,10 +14,10 @@ RunWalls runWalls(const std::vector<Run>& runs);
 /** The runs laid on each other, in the frame of the site [m], in one set of objects named
  *  "comparison". In it, for each run a set runLayer() with its pose holds the middles of its wall
  *  cells, in the colour that it has in the report, the best on top, a few centimetres apart. Then
- *  "rooms" (outlines), "room names" and "breaks" (rings in the colour of the run, with the key frame
- *  from which on it breaks), where there are any, and "legend" (the names of the first kMostNamed
- *  runs in their colours, below the maps). Words are to be read by a camera that is turned back by
- *  `turn` [rad]. A run without walls is not drawn. O(walls). */
+ *  "rooms" (outlines), "room names" and "breaks" (rings in the colour of the run, with the key
+ *  frame from which on it breaks), where there are any, and "legend" (the names of the first
+ *  kMostNamed runs in their colours, below the maps). Words are to be read by a camera that is
+ *  turned back by `turn` [rad]. A run without walls is not drawn. O(walls). */
 viz::CSetOfObjects::Ptr drawComparison(const Comparison& comparison, const RunWalls& walls,
                                        double turn = 0);
 
