@@ -108,10 +108,11 @@ void RegionGroups::findOpeningsOffCorridors(const Grid& grid) {
     isOffCorridor_[e] = isOpeningOffCorridor(voronoi_.edges[e], grid);
 }
 
-bool RegionGroups::isOpeningInWall(const VoronoiEdge& edge, const Grid& grid) const {
+bool RegionGroups::isOpeningInWall(const VoronoiEdge& edge, const Grid& grid,
+                                   WallTest& isIn) const {
   if (clearance(edge) >= options_.corridorDoor / 2) return false;
   const Point left = voronoi_.obstacles[edge.left], right = voronoi_.obstacles[edge.right];
-  return isFacing(edge) && isInWall(grid, left, right);
+  return isFacing(edge) && isIn(grid, left, right);
 }
 
 bool RegionGroups::isOpeningOffCorridor(const VoronoiEdge& edge, const Grid& grid) const {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "goes_on.h"
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/grid/Grid.h"
 #include "roomgraph/rooms/SplitAtDoorsOptions.h"
@@ -73,7 +74,7 @@ class RegionGroups {
   Point across(const VoronoiEdge& edge) const;
   /** Whether the narrowest place of an edge is an opening, no wider than a door, in a wall that
    *  goes on at both of its ends. */
-  bool isOpeningInWall(const VoronoiEdge& edge, const Grid& grid) const;
+  bool isOpeningInWall(const VoronoiEdge& edge, const Grid& grid, WallTest& isIn = isInWall) const;
   /** The same in the side of a corridor. That may be as wide as what lies behind it, as a closet,
    *  or a room of which a beam has seen no more. */
   bool isOpeningOffCorridor(const VoronoiEdge& edge, const Grid& grid) const;

@@ -193,11 +193,9 @@ class Pieces {
 
   /** In a wall, and not across a corridor. */
   bool isDoorOfRoom(const VoronoiEdge& edge) const {
-    const Point left = regions_.voronoi().obstacles[edge.left];
-    const Point right = regions_.voronoi().obstacles[edge.right];
-    return regions_.clearance(edge) < regions_.options().corridorDoor / 2 &&
-           regions_.isFacing(edge) && isInRoughWall(grid_, left, right) &&
-           !isAcrossOneWidth(grid_, left, right);
+    const std::vector<Point>& obstacles = regions_.voronoi().obstacles;
+    return regions_.isOpeningInWall(edge, grid_, isInRoughWall) &&
+           !isAcrossOneWidth(grid_, obstacles[edge.left], obstacles[edge.right]);
   }
 
   /** A lobby stands out: it is wider than where two corridors cross at right angles, a square. By

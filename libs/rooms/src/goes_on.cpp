@@ -18,6 +18,11 @@ int halfWidth(const Grid& grid, Point end, Point other) {
   return int(distance(end, other) / 2 / grid.frame.resolution * (1 + kSameWidth));
 }
 
+/** Both of its ends. */
+bool areMostlyWall(const Grid& grid, Point from, Point to) {
+  return isMostlyWall(grid, from, to) && isMostlyWall(grid, to, from);
+}
+
 /** As goesOn, to a cell on either side. */
 bool goesOnNearby(const Grid& grid, Point end, Point other) {
   const Point out = stepOut(grid, end, other), across = toLeft(out);
@@ -69,12 +74,12 @@ bool isMostlyWall(const Grid& grid, Point end, Point other) {
 }
 
 bool isInWall(const Grid& grid, Point from, Point to) {
-  return goesOn(grid, from, to) && goesOn(grid, to, from) && isInRoughWall(grid, from, to);
+  return goesOn(grid, from, to) && goesOn(grid, to, from) && areMostlyWall(grid, from, to);
 }
 
 bool isInRoughWall(const Grid& grid, Point from, Point to) {
   return goesOnNearby(grid, from, to) && goesOnNearby(grid, to, from) &&
-         isMostlyWall(grid, from, to) && isMostlyWall(grid, to, from);
+         areMostlyWall(grid, from, to);
 }
 
 bool isInLongSide(const Grid& grid, Point from, Point to, double elongation) {

@@ -21,6 +21,9 @@ bool goesOn(const Grid& grid, Point end, Point other);
  *  it thinner than the opening is wide. O(width in cells). */
 bool isMostlyWall(const Grid& grid, Point end, Point other);
 
+/** Whether an opening between two places is in a wall. */
+using WallTest = bool(const Grid& grid, Point from, Point to);
+
 /** Whether both are so at both ends. */
 bool isInWall(const Grid& grid, Point from, Point to);
 
