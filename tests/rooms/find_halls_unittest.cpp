@@ -52,5 +52,12 @@ TEST(FindHalls, anIslandWithARoomInItDoesNotCount) {
   EXPECT_EQ(hallsOf(withRoom(true)), 0);
 }
 
+TEST(FindHalls, whatStandsBetweenBlocksWithRoomsIsNoShelf) {
+  Plan plan(230, 180);
+  for (const int x : {30, 130})
+    for (const int y : {30, 105}) plan.wall(x, y, 70, 45).gap(x + 3, y + 3, 64, 39);
+  EXPECT_EQ(hallsOf(plan.wall(110, 88, 2, 6).wall(120, 88, 2, 6)), 0);
+}
+
 }  // namespace
 }  // namespace roomgraph::test

@@ -11,9 +11,14 @@ namespace {
 /** One island has a ring corridor round it. */
 constexpr std::size_t kFewestIslands = 2;
 
-/** The holes of a region that none of the others lies in. */
-std::vector<const Ring*> islandsOf(const Room& room, const Rooms& all) {
-  std::vector<const Ring*> islands;
+/** What a region goes round. */
+struct Surrounded {
+  std::vector<const Ring*> islands;  // holes that no other region lies in
+  Ring bounds;                       // the corners of all other rings, which bound it with these
+};
+
+Surrounded surroundedBy(const Room& room, const Rooms& all) {
+  Surrounded found{{}, room.polygon.outer};
   for (const Ring& hole : room.polygon.holes) {
     const Polygon inside{hole, {}};
     const Box box = boundingBox(hole);
@@ -21,34 +26,37 @@ std::vector<const Ring*> islandsOf(const Room& room, const Rooms& all) {
       return box.contains(other.widestPlace) && &other != &room &&
              sideOf(inside, other.widestPlace) == Side::inside;
     };
-    if (std::none_of(all.begin(), all.end(), isIn)) islands.push_back(&hole);
+    if (std::none_of(all.begin(), all.end(), isIn))
+      found.islands.push_back(&hole);
+    else
+      found.bounds.insert(found.bounds.end(), hole.begin(), hole.end());
   }
-  return islands;
+  return found;
 }
 
-/** Whether a corner of an island is so far from the outer ring [m]. */
-bool areDeep(const std::vector<const Ring*>& islands, const Ring& outer, double far) {
+/** Whether a corner of an island is so far from all that bounds them [m]. */
+bool areDeep(const Surrounded& by, double far) {
   std::size_t near = 0;  // what is near one corner is near the next one, too
-  for (const Ring* island : islands)
+  for (const Ring* island : by.islands)
     for (const Point corner : *island) {
       std::size_t seen = 0;
-      while (seen < outer.size() && squaredNorm(outer[near] - corner) >= far * far)
-        ++seen, near = (near + 1) % outer.size();
-      if (seen == outer.size()) return true;
+      while (seen < by.bounds.size() && squaredNorm(by.bounds[near] - corner) >= far * far)
+        ++seen, near = (near + 1) % by.bounds.size();
+      if (seen == by.bounds.size()) return true;
     }
   return false;
 }
 
 bool isHall(const Room& room, const Rooms& all, const SplitAtDoorsOptions& options) {
   if (room.polygon.holes.size() < kFewestIslands) return false;
-  const std::vector<const Ring*> islands = islandsOf(room, all);
-  if (islands.size() < kFewestIslands) return false;
+  const Surrounded by = surroundedBy(room, all);
+  if (by.islands.size() < kFewestIslands) return false;
   double filled = area(room.polygon);
-  for (const Ring* island : islands) {
+  for (const Ring* island : by.islands) {
     if (leastWidth(convexHull(*island)) > 2 * room.inscribedRadius) return false;
     filled += std::abs(signedArea(*island));
   }
-  return areDeep(islands, room.polygon.outer, std::sqrt(filled / options.maxElongation) / 2);
+  return areDeep(by, std::sqrt(filled / options.maxElongation) / 2);
 }
 
 }  // namespace
