@@ -6,6 +6,7 @@
 
 #include "drawn_areas.h"
 #include "drawn_house.h"
+#include "no_consensus.h"
 
 namespace roomgraph::test {
 namespace {
@@ -71,7 +72,7 @@ struct Houses {
 
 TEST(SiteAreas, runsInFramesOfTheirOwnAreLaidOnEachOther) {
   const Houses houses;
-  const SiteAreas areas = siteAreas(houses.site, {1, 1, 1});
+  const SiteAreas areas = siteAreas(houses.site, noConsensus(houses.site), {1, 1, 1});
   ASSERT_EQ(areas.runs.size(), 3u);
   for (const RunAreas& run : areas.runs) {
     ASSERT_EQ(run.shapes.size(), house().rooms.size());
@@ -94,7 +95,8 @@ TEST(SiteAreas, weightsAreTheFourthRootsOfTrustAndNeverNothing) {
   const Houses houses;
   const auto weightsFor = [&](const Trust& trust) {
     std::vector<double> weights;
-    for (const RunAreas& run : siteAreas(houses.site, trust).runs) weights.push_back(run.weight);
+    for (const RunAreas& run : siteAreas(houses.site, noConsensus(houses.site), trust).runs)
+      weights.push_back(run.weight);
     return weights;
   };
   const auto weights = weightsFor({1, 0.0625, 0});
@@ -105,7 +107,7 @@ TEST(SiteAreas, weightsAreTheFourthRootsOfTrustAndNeverNothing) {
 }
 
 TEST(SiteAreas, ofNoRunsThereAreNone) {
-  const SiteAreas areas = siteAreas({}, {});
+  const SiteAreas areas = siteAreas({}, {}, {});
   EXPECT_TRUE(areas.runs.empty());
   EXPECT_EQ(areas.frame.cellCount(), 0u);
 }
@@ -113,7 +115,7 @@ TEST(SiteAreas, ofNoRunsThereAreNone) {
 TEST(SiteAreas, aRunWithoutAreasStillTellsWhatIsFree) {
   Houses houses;
   houses.runs[1].areas = {};
-  const SiteAreas areas = siteAreas(houses.site, {1, 1, 1});
+  const SiteAreas areas = siteAreas(houses.site, noConsensus(houses.site), {1, 1, 1});
   EXPECT_TRUE(areas.runs[1].shapes.empty());
   const auto free =
       std::count(areas.runs[1].labels.begin(), areas.runs[1].labels.end(), RunAreas::free);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "drawn_house.h"
+#include "no_consensus.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/ledger/site_rooms.h"
 #include "roomgraph/report/site_json.h"
@@ -19,7 +20,8 @@ using test::runOf;
 /** The rooms of two equal runs of a house whose first run, and so the site, lies at `pose`. */
 std::vector<SiteRoom> roomsOf(const House& drawn, const Transform2D& pose) {
   const roomgraph::Run a = runOf(drawn, "a", pose), b = runOf(drawn, "b", {});
-  return siteRooms({{&a, &b}, {{}, pose}, {0, 1}, {}}, {1, 1});
+  const Site site{{&a, &b}, {{}, pose}, {0, 1}, {}};
+  return siteRooms(site, test::noConsensus(site), {1, 1});
 }
 
 const SiteRoom* foundAt(const std::vector<SiteRoom>& rooms, Point p) {

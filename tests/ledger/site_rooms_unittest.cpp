@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "drawn_house.h"
+#include "no_consensus.h"
 #include "roomgraph/report/comparison_csv.h"
 #include "roomgraph/report/comparison_json.h"
 
@@ -35,7 +36,7 @@ std::vector<SiteRoom> ledger(const std::vector<Drawn>& all, bool isBackwards = f
     site.poses.push_back(all[k].pose.inverse());
     trust.push_back(all[k].trust);
   }
-  std::vector<SiteRoom> rooms = siteRooms(site, trust);
+  std::vector<SiteRoom> rooms = siteRooms(site, test::noConsensus(site), trust);
   for (SiteRoom& room : rooms)
     if (isBackwards) std::reverse(room.runs.begin(), room.runs.end());
   return rooms;
@@ -123,6 +124,53 @@ TEST(SiteRooms, whatLiesBehindABendIsFoundThroughItsNeighbours) {
   for (const SiteRoom& room : rooms) EXPECT_EQ(room.runs[2].pieces, 1) << room.id;
 }
 
+/** Gives a run of the house two scans, one of which has drawn what lies on this side of `bendAt`,
+ *  and one the rest; and adds them to a consensus that has them where the house has them. */
+void addHalves(roomgraph::Run& run, const House& house, const Transform2D& pose,
+               Consensus& consensus) {
+  for (const double x : {5.0, 15.0}) {
+    ScanWalls scan;
+    scan.pose = pose * Transform2D{house.drawn({x, 5}).x, house.drawn({x, 5}).y, 0};
+    const GridFrame& frame = run.map.frame;
+    for (std::size_t i = 0; i < run.map.states.size(); ++i) {
+      const Point place = frame.center({int(i) % frame.width, int(i) / frame.width});
+      if (run.map.states[i] == State::occupied &&
+          (pose.inverse()(place).x > house.bendAt) == (x > house.bendAt))
+        scan.walls.push_back({place, {}});
+    }
+    run.scans.push_back(scan);
+    consensus.poses.add({x, 5, 0});
+  }
+  consensus.siteRuns.add(consensus.graphRuns.size());
+  consensus.graphRuns.push_back(addRunNodes(run, consensus.graph));
+}
+
+TEST(SiteRooms, whatLiesBehindATearIsWhereTheConsensusHasIt) {
+  House sound = house();
+  sound.rooms[3].high.x = 10.9;  // no room reaches beyond the tear
+  House torn = sound;
+  torn.bendAt = 11, torn.shift = {0, -13};  // farther than any room is looked for
+  const std::vector<Transform2D> poses{{}, kOther, kThird};
+  std::vector<roomgraph::Run> runs{runOf(sound, "a", poses[0]), runOf(sound, "b", poses[1]),
+                                   runOf(torn, "c", poses[2])};
+  Site site;
+  Consensus consensus;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    addHalves(runs[i], i == 2 ? torn : sound, poses[i], consensus);
+    site.runs.push_back(&runs[i]), site.poses.push_back(poses[i].inverse());
+  }
+  const auto roomCount = [](const std::vector<SiteRoom>& rooms) {
+    return std::count_if(rooms.begin(), rooms.end(),
+                         [](const SiteRoom& room) { return !room.isCorridor; });
+  };
+  const auto rooms = siteRooms(site, consensus, {1, 1, 0.1});
+  EXPECT_EQ(roomCount(rooms), 10);
+  EXPECT_LT(roomAt(rooms, kLeft).runs[2].shift.value(), 0.03);
+  EXPECT_EQ(roomAt(rooms, kRight).runs[2].sighting, RoomSighting::seen);
+  EXPECT_NEAR(roomAt(rooms, kRight).runs[2].shift.value(), 13, 0.05);
+  EXPECT_GT(roomCount(siteRooms(site, test::noConsensus(site), {1, 1, 0.1})), 10);
+}
+
 TEST(SiteRooms, aWallMoreSplitsARoomAndAWallLessMergesTwo) {
   House more = house(), less = house();
   more.rooms[9].high.x = 13;  // the fourth above, 11 to 15.5
@@ -163,7 +211,7 @@ TEST(SiteRooms, unknownCellsTellUnvisitedFromGone) {
   }
   Site site;
   for (const roomgraph::Run& run : runs) site.runs.push_back(&run), site.poses.push_back({});
-  const auto rooms = siteRooms(site, Trust(runs.size(), 1));
+  const auto rooms = siteRooms(site, test::noConsensus(site), Trust(runs.size(), 1));
   const SiteRoom& room = roomAt(rooms, kRight);
   EXPECT_EQ(room.runs[0].sighting, RoomSighting::seen);
   EXPECT_EQ(room.runs[2].sighting, RoomSighting::unvisited);

@@ -69,7 +69,7 @@ Comparison compareRuns(const std::vector<Run>& runs, const MapPairs& related,
   const Trust witnesses = witnessesOf(scores, site.reference);
   const SiteMeasures measures =
       measureSite(site, pairs, bends, maps, trust, witnesses, breaks, forEach);
-  const std::vector<SiteRoom> rooms = siteRooms(site, trust, forEach);
+  const std::vector<SiteRoom> rooms = siteRooms(site, consensus, trust, forEach);
   returnMemory();
   return summarize(
       runs, related,

@@ -4,35 +4,60 @@
 #include <cmath>
 #include <utility>
 
+#include "RealPlaces.h"
 #include "fitted_ledger.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/align/wall_map.h"
+#include "roomgraph/base/sequences.h"
+#include "roomgraph/geometry/MotionFit.h"
 #include "roomgraph/grid/polygon_cells.h"
 
 namespace roomgraph {
 namespace {
 
-AreaGraph moved(AreaGraph areas, const Transform2D& pose) {
-  const Motion2D motion(pose);
-  for (Area& area : areas.areas)
-    forEachRing(area.polygon, [&](Ring& ring) {
-      for (Point& p : ring) p = motion(p);
-    });
-  for (Passage& passage : areas.passages)
-    passage.from = motion(passage.from), passage.to = motion(passage.to);
-  return areas;
+/** As most of an area really lies: site <- run. */
+Transform2D realPose(const Polygon& polygon, const GridFrame& frame, const RealPlaces& places) {
+  MotionFit fit;
+  for (const Cell c : cellsIn(polygon, frame)) {
+    const Point place = frame.center(c);
+    fit.add(place, places.at(place)(place));
+  }
+  return fit.weight() > 0 ? fit.motion() : places.at(polygon.outer.front());
 }
+
+Polygon moved(Polygon polygon, const Transform2D& pose) {
+  const Motion2D motion(pose);
+  forEachRing(polygon, [&](Ring& ring) {
+    for (Point& p : ring) p = motion(p);
+  });
+  return polygon;
+}
+
+/** The areas of a run, each where it really lies. */
+struct LaidDown {
+  std::vector<Transform2D> poses;  // site <- run
+  std::vector<Polygon> polygons;
+
+  LaidDown(const Run& run, const RealPlaces& places) {
+    for (const Area& area : run.areas.areas) {
+      poses.push_back(realPose(area.polygon, run.map.frame, places));
+      polygons.push_back(moved(area.polygon, poses.back()));
+    }
+  }
+};
 
 /** Every second cell both ways. */
 bool isSample(Cell c) { return c.x % 2 == 0 && c.y % 2 == 0; }
 
-/** Labels the cells of each area. */
-void addShapes(const AreaGraph& areas, const GridFrame& frame, RunAreas& run) {
-  for (std::size_t a = 0;
-       a < std::min<std::size_t>(areas.areas.size(), UINT16_MAX - RunAreas::firstArea); ++a) {
+/** Adds areas with these shapes, and labels their cells. `poses`: site <- run, for their doors. */
+void addShapes(const AreaGraph& areas, const std::vector<Transform2D>& poses,
+               std::vector<Polygon> polygons, const GridFrame& frame, RunAreas& run) {
+  const std::size_t count =
+      std::min<std::size_t>(polygons.size(), UINT16_MAX - RunAreas::firstArea);
+  for (std::size_t a = 0; a < count; ++a) {
     SiteShape shape;
-    shape.polygon = areas.areas[a].polygon;
-    shape.middle = centroid(shape.polygon);
+    shape.polygon = std::move(polygons[a]);
+    shape.middle = shape.drawn = centroid(shape.polygon);
     shape.area = area(shape.polygon);
     shape.isCorridor = !areas.areas[a].isRoom();
     for (const Cell c : cellsIn(shape.polygon, frame)) {
@@ -41,23 +66,35 @@ void addShapes(const AreaGraph& areas, const GridFrame& frame, RunAreas& run) {
     }
     run.shapes.push_back(std::move(shape));
   }
-  run.doors.resize(run.shapes.size());
+  run.doors.resize(count);
   for (const Passage& passage : areas.passages) {
     if (!passage.b) continue;
     const std::size_t a = passage.a.index(), b = passage.b.index();
-    if (a >= run.shapes.size() || b >= run.shapes.size()) continue;
-    run.doors[a].push_back({b, passage.middle(), passage.width});
-    run.doors[b].push_back({a, passage.middle(), passage.width});
+    if (a >= count || b >= count) continue;
+    run.doors[a].push_back({b, poses[a](passage.middle()), passage.width});
+    run.doors[b].push_back({a, poses[b](passage.middle()), passage.width});
   }
 }
 
-void markKnown(const WallMap& map, const Transform2D& pose, const GridFrame& frame, RunAreas& run) {
-  const Motion2D back(pose.inverse());
-  for (int y = 0; y < frame.height; ++y)
-    for (int x = 0; x < frame.width; ++x) {
-      const State state = stateAt(map, back(frame.center({x, y})));
+/** Labels the cells that a run knows, each quarter of one where it really lies. */
+void markKnown(const WallMap& map, const RealPlaces& places, const GridFrame& frame,
+               RunAreas& run) {
+  std::vector<std::int8_t> walls(frame.cellCount());  // quarters, less those that are free
+  const double quarter = map.frame.resolution / 4;
+  for (int y = 0; y < map.frame.height; ++y)
+    for (int x = 0; x < map.frame.width; ++x) {
+      const State state = map.states[map.frame.index({x, y})];
       if (state == State::unknown) continue;
-      run.labels[frame.index({x, y})] = state == State::free ? RunAreas::free : RunAreas::occupied;
+      const Point middle = map.frame.center({x, y});
+      const Transform2D& pose = places.at(middle);
+      for (const Point off : {Point{-quarter, -quarter}, Point{-quarter, quarter},
+                              Point{quarter, -quarter}, Point{quarter, quarter}}) {
+        const Cell there = frame.cellAt(pose(middle + off));
+        if (!frame.contains(there)) continue;
+        std::int8_t& wall = walls[frame.index(there)];
+        wall = std::int8_t(std::clamp(wall + (state == State::free ? -1 : 1), -100, 100));
+        run.labels[frame.index(there)] = wall < 0 ? RunAreas::free : RunAreas::occupied;
+      }
     }
 }
 
@@ -88,13 +125,17 @@ SiteShape sampled(SiteShape shape, const GridFrame& frame) {
   return shape;
 }
 
-SiteAreas siteAreas(const Site& site, const Trust& trust) {
-  std::vector<AreaGraph> areas;
+SiteAreas siteAreas(const Site& site, const Consensus& consensus, const Trust& trust) {
+  const Transform2D frame = frameOfConsensus(site, consensus, trust);
+  std::vector<RealPlaces> places;
+  std::vector<LaidDown> laidDown;
   std::vector<const Polygon*> polygons;
-  for (std::size_t i = 0; i < site.runs.size(); ++i)
-    areas.push_back(moved(site.runs[i]->areas, site.poses[i]));
-  for (const AreaGraph& graph : areas)
-    for (const Area& area : graph.areas) polygons.push_back(&area.polygon);
+  for (std::size_t i = 0; i < site.runs.size(); ++i) {
+    places.emplace_back(site, consensus, frame, i);
+    laidDown.emplace_back(*site.runs[i], places[i]);
+  }
+  for (const LaidDown& of : laidDown)
+    for (const Polygon& polygon : of.polygons) polygons.push_back(&polygon);
   SiteAreas result;
   result.frame = frameRound(polygons);
   const bool isTrusted = std::any_of(trust.begin(), trust.end(), [](double of) { return of > 0; });
@@ -102,8 +143,11 @@ SiteAreas siteAreas(const Site& site, const Trust& trust) {
     RunAreas run;
     run.weight = isTrusted ? std::max(fitted::kLeastWeight, std::sqrt(std::sqrt(trust[i]))) : 1;
     run.labels.assign(result.frame.cellCount(), RunAreas::unknown);
-    markKnown(site.runs[i]->map, site.poses[i], result.frame, run);
-    addShapes(areas[i], result.frame, run);
+    markKnown(site.runs[i]->map, places[i], result.frame, run);
+    auto& [poses, shapes] = laidDown[i];
+    addShapes(site.runs[i]->areas, poses, std::move(shapes), result.frame, run);
+    for (std::size_t a = 0; a < run.shapes.size(); ++a)
+      run.shapes[a].drawn = site.poses[i](poses[a].inverse()(run.shapes[a].middle));
     result.runs.push_back(std::move(run));
   }
   return result;
@@ -113,7 +157,8 @@ RunAreas areasIn(const AreaGraph& areas, const GridFrame& frame) {
   RunAreas run;
   run.weight = 1;
   run.labels.assign(frame.cellCount(), RunAreas::free);
-  addShapes(areas, frame, run);
+  addShapes(areas, std::vector<Transform2D>(areas.areas.size()),
+            mapped(areas.areas, &Area::polygon), frame, run);
   for (SiteShape& shape : run.shapes) shape = sampled(std::move(shape), frame);
   return run;
 }

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "roomgraph/consensus/Consensus.h"
 #include "roomgraph/geometry/Transform2D.h"
 #include "roomgraph/grid/GridFrame.h"
 #include "roomgraph/relate/Site.h"
@@ -15,6 +16,7 @@ struct SiteShape {
   std::vector<Point> samples;  ///< of one that is looked for in other runs, see sampled()
   std::size_t size = 0;        ///< how many samples it has, or would have
   Point middle;                ///< centre of mass
+  Point drawn;                 ///< where that would lie by the pose of the whole run
   double area = 0;             ///< [m2]
   bool isCorridor = false;
 };
@@ -48,10 +50,11 @@ struct SiteAreas {
  *  most of the memory of a shape. O(cells of its box). */
 SiteShape sampled(SiteShape shape, const GridFrame& frame);
 
-/** Lays down the areas of all runs, without samples. Weights are the fourth root of the runs'
- *  trust, and at least 0.1: good walls do not make good rooms, so several fair runs have a say
- *  against the best. All 1 where no run has any trust. O(runs * cells of the site). */
-SiteAreas siteAreas(const Site& site, const Trust& trust);
+/** Lays down the areas of all runs, each where it really lies by the consensus, without samples.
+ *  Weights are the fourth root of the runs' trust, and at least 0.1: good walls do not make good
+ *  rooms, so several fair runs have a say against the best. All 1 where no run has any trust.
+ *  O(runs * cells of the site). */
+SiteAreas siteAreas(const Site& site, const Consensus& consensus, const Trust& trust);
 
 /** The same, with samples, for one run whose areas are in the site's frame and which knows all
  *  there is. */

@@ -155,8 +155,10 @@ class Ledger {
     if (xs.size() < 2) return;
     const Point consensus{*weightedMedian(xs), *weightedMedian(ys)};
     for (std::size_t i = 0; i < site_.runs.size(); ++i)
-      if (isCleanIn(i) && result.runs[i].boundaryAgreement.value_or(0) >= fitted::kMinAgreement)
-        result.runs[i].shift = distance(moveIn(i).shift, consensus);
+      if (isCleanIn(i) && result.runs[i].boundaryAgreement.value_or(0) >= fitted::kMinAgreement) {
+        const SiteShape& own = site_.runs[i].shapes[matchIn(i).areas[0]];
+        result.runs[i].shift = distance(moveIn(i).shift + own.drawn - own.middle, consensus);
+      }
   }
 
   void addLengths(SiteRoom& result) const {
@@ -203,8 +205,9 @@ std::vector<std::string> namesOf(const Site& site, const std::vector<std::size_t
 
 }  // namespace
 
-std::vector<SiteRoom> siteRooms(const Site& site, const Trust& trust, const ForEach& forEach) {
-  const SiteAreas areas = siteAreas(site, trust);
+std::vector<SiteRoom> siteRooms(const Site& site, const Consensus& agreed, const Trust& trust,
+                                const ForEach& forEach) {
+  const SiteAreas areas = siteAreas(site, agreed, trust);
   const ConsensusRooms consensus = consensusRooms(areas, forEach);
   std::vector<SiteRoom> rooms(consensus.rooms.shapes.size());
   std::vector<RoomDoors> doors(rooms.size());

@@ -1,0 +1,105 @@
+#include "RealPlaces.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "roomgraph/base/sequences.h"
+#include "roomgraph/geometry/MotionFit.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kTile = 0.5;  // [m]
+
+GridFrame tilesOf(const GridFrame& cells) {
+  const auto count = [&](int of) { return int(of * cells.resolution / kTile) + 1; };
+  return {count(cells.width), count(cells.height), kTile, cells.origin};
+}
+
+/** What a node has drawn in a tile. */
+struct Drawn {
+  std::size_t tile = 0;
+  NodeId node;
+};
+
+/** The walls that each scan of a run has met; of a run without scans, the middles of its patches.
+ *  By tile and node. */
+std::vector<Drawn> allDrawn(const Run& run, const IdRange<NodeId>& nodes, const PoseGraph& graph,
+                            const GridFrame& tiles) {
+  std::vector<Drawn> drawn;
+  const auto add = [&](Point place, NodeId node) {
+    if (const Cell tile = tiles.cellAt(place); tiles.contains(tile))
+      drawn.push_back({tiles.index(tile), node});
+  };
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    if (run.scans.empty())
+      add(graph.nodes[nodes[k]].pose.shift(), nodes[k]);
+    else
+      for (const WallPoint& wall : run.scans[k].walls) add(wall.place, nodes[k]);
+  sortBy(drawn, [](const Drawn& one) { return std::make_pair(one.tile, one.node); });
+  return drawn;
+}
+
+/** For each tile the node that has drawn most in it, or in the next one in which anything was. */
+std::vector<NodeId> nodesOfTiles(const std::vector<Drawn>& drawn, const GridFrame& tiles) {
+  std::vector<NodeId> nodes(tiles.cellCount());
+  std::vector<std::size_t> open;
+  std::size_t most = 0;
+  for (std::size_t first = 0, end = 0; first < drawn.size(); first = end) {
+    const auto [tile, node] = drawn[first];
+    while (end < drawn.size() && drawn[end].tile == tile && drawn[end].node == node) ++end;
+    if (!nodes[tile]) open.push_back(tile), most = 0;
+    if (end - first > most) nodes[tile] = node, most = end - first;
+  }
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const Cell tile{int(open[i]) % tiles.width, int(open[i]) / tiles.width};
+    for (const Cell next : {Cell{tile.x - 1, tile.y}, Cell{tile.x + 1, tile.y},
+                            Cell{tile.x, tile.y - 1}, Cell{tile.x, tile.y + 1}}) {
+      if (!tiles.contains(next) || nodes[tiles.index(next)]) continue;
+      nodes[tiles.index(next)] = nodes[open[i]];
+      open.push_back(tiles.index(next));
+    }
+  }
+  return nodes;
+}
+
+}  // namespace
+
+RealPlaces::RealPlaces(const Site& site, const Consensus& consensus, const Transform2D& frame,
+                       std::size_t run) {
+  const IdRange<NodeId> nodes = consensus.nodesOf(run);
+  const std::size_t counted = nodes.isEmpty() ? run : consensus.siteRuns[consensus.graphRuns[run]];
+  copied_ = site.poses[counted].inverse() * site.poses[run];
+  tiles_ = tilesOf(site.runs[counted]->map.frame);
+  poses_.assign(tiles_.cellCount(), site.poses[counted]);
+  const PoseGraph& graph = consensus.graph;
+  const std::vector<NodeId> nodeOf =
+      nodesOfTiles(allDrawn(*site.runs[counted], nodes, graph, tiles_), tiles_);
+  for (std::size_t tile = 0; tile < poses_.size(); ++tile)
+    if (const NodeId node = nodeOf[tile])
+      poses_[tile] = frame * consensus.poses[node] * graph.nodes[node].pose.inverse();
+}
+
+Transform2D RealPlaces::at(Point place) const {
+  const Cell tile = tiles_.cellAt(copied_(place));
+  const Cell inside{std::clamp(tile.x, 0, tiles_.width - 1),
+                    std::clamp(tile.y, 0, tiles_.height - 1)};
+  return poses_[tiles_.index(inside)] * copied_;
+}
+
+Transform2D frameOfConsensus(const Site& site, const Consensus& consensus, const Trust& trust) {
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < site.runs.size(); ++i)
+    if (!consensus.nodesOf(i).isEmpty() && consensus.isCounted(i) &&
+        (!best || trust[i] > trust[*best]))
+      best = i;
+  MotionFit fit;
+  if (best)
+    for (const NodeId node : consensus.nodesOf(*best))
+      fit.add(consensus.poses[node].shift(),
+              site.poses[*best](consensus.graph.nodes[node].pose.shift()));
+  return fit.motion();
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,32 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "roomgraph/consensus/Consensus.h"
+#include "roomgraph/relate/Site.h"
+
+namespace roomgraph {
+
+/** Where the places of one run really lie in the site: each as the node does, a key frame or a
+ *  patch of walls, that has drawn most beside it. Where the consensus has no nodes of the run, as
+ *  the run does as a whole. */
+class RealPlaces {
+ public:
+  /** `frame`: site <- frame of the consensus. O(area of the map + walls of all scans). */
+  RealPlaces(const Site& site, const Consensus& consensus, const Transform2D& frame,
+             std::size_t run);
+
+  /** At a place of the run [m, run frame]: site <- run. O(1). */
+  [[nodiscard]] Transform2D at(Point place) const;
+
+ private:
+  GridFrame tiles_;                 ///< of the map of the run that counts for it
+  std::vector<Transform2D> poses_;  ///< site <- that run, per tile
+  Transform2D copied_;              ///< that run <- run
+};
+
+/** site <- frame of the consensus, so that most of what the most trusted run has drawn stays. The
+ *  identity where no run has nodes. O(nodes). */
+Transform2D frameOfConsensus(const Site& site, const Consensus& consensus, const Trust& trust);
+
+}  // namespace roomgraph
