@@ -11,17 +11,18 @@ namespace roomgraph {
 
 Gait::Gait(const std::vector<Transform2D>& poses, std::vector<std::optional<double>> times)
     : times_(std::move(times)) {
-  std::vector<double> ways{0}, ahead{0}, turns{0}, speeds{0};
+  std::vector<double> ways{0}, ahead{0}, turns{0}, speeds{0}, spins{0};
   for (std::size_t k = 1; k < poses.size(); ++k) {
     const Transform2D step = poses[k - 1].inverse() * poses[k];
     ways.push_back(norm(step.shift()));
     ahead.push_back(step.x);
     turns.push_back(std::abs(step.phi));
-    if (const double time = secondsTo(k); time > 0) speeds.push_back(ways.back() / time);
+    if (const double time = secondsTo(k); time > 0)
+      speeds.push_back(ways.back() / time), spins.push_back(turns.back() / time);
   }
   back = std::min(0.0, quantile(ahead, 0.02) - 0.5);
   longest = {1.3 * quantile(turns, 0.98) + 0.2, 1.3 * quantile(ways, 0.98) + 0.5};
-  speed = 1.3 * quantile(speeds, 0.98);
+  fastest = {1.3 * quantile(spins, 0.98), 1.3 * quantile(speeds, 0.98)};
 }
 
 double Gait::secondsTo(std::size_t k) const {
@@ -32,11 +33,12 @@ double Gait::secondsTo(std::size_t k) const {
 double Gait::reachTo(std::size_t k) const {
   const double seconds = secondsTo(k);
   return seconds < 0 ? std::numeric_limits<double>::infinity()
-                     : std::max(longest.place, seconds * speed);
+                     : std::max(longest.place, seconds * fastest.place);
 }
 
 bool Gait::isInReach(const Transform2D& step, std::size_t k) const {
-  return norm(step.shift()) < reachTo(k) && std::abs(step.phi) < longest.turn;
+  const double turn = std::max(longest.turn, secondsTo(k) * fastest.turn);
+  return norm(step.shift()) < reachTo(k) && std::abs(step.phi) < turn;
 }
 
 bool Gait::isPossible(const Transform2D& step, std::size_t k) const {

@@ -15,7 +15,7 @@ namespace roomgraph {
 struct Gait {
   double back = 0;        ///< no step leads farther back [m]; at most 0
   PoseTolerance longest;  ///< no step is longer
-  double speed = 0;       ///< nor faster, where scans have times [m/s]; else 0
+  PoseTolerance fastest;  ///< nor faster, where scans have times [rad/s, m/s]; else 0
 
   /** `times` [s], as long as `poses`, run <- robot. */
   Gait(const std::vector<Transform2D>& poses, std::vector<std::optional<double>> times);
