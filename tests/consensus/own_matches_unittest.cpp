@@ -138,5 +138,17 @@ TEST(HeldSteps, theReferenceIsNotAsked) {
   EXPECT_TRUE(heldOf(test::driveOnce(), 2.2, {4, -3}, true).empty());
 }
 
+TEST(TornRuns, areThoseWithALinkThatHasGivenWay) {
+  Consensus consensus;
+  for (const double shift : {0.0, 0.1, 3.0}) {
+    addRunNodes(test::runOf(test::driveOnce()), consensus.graph);
+    for (const Keyframe& frame : test::broken(test::driveOnce(), kStep, 0, {shift, 0}))
+      consensus.poses.add(frame.pose);
+  }
+  consensus.trust.slack = ById<RunId, double>(3, 1);
+  EXPECT_EQ(tornRuns(consensus), 1u);
+  EXPECT_EQ(tornRuns({}), 0u);
+}
+
 }  // namespace
 }  // namespace roomgraph

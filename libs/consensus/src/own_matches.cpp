@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "edge_cost.h"
 #include "fitted_consensus.h"
 #include "roomgraph/align/LocalScan.h"
 #include "roomgraph/align/step_hold.h"
@@ -127,6 +128,17 @@ std::vector<FoundGroup> ownMatches(const PoseGraph& graph, RunId id, const Run& 
     if (isBroken(mended.evidence, k))
       groups.push_back(foundBehind(graph.runs[id].nodes, id, mended, k));
   return groups;
+}
+
+std::size_t tornRuns(const Consensus& consensus) {
+  const PoseGraph& graph = consensus.graph;
+  const auto gaveWay = [&](PoseEdgeId id) {
+    const PoseEdge& link = graph.edges[id];
+    return termOf(graph, link, consensus.trust).cost(gapOf(link, consensus.poses)) > kGaveWay;
+  };
+  std::size_t torn = 0;
+  for (const GraphRun& run : graph.runs) torn += contains(mapped(run.links, gaveWay), true);
+  return torn;
 }
 
 std::vector<PoseEdgeId> heldSteps(const Site& site, const Consensus& consensus,

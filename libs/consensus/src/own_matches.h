@@ -50,4 +50,7 @@ std::vector<FoundGroup> ownMatches(const PoseGraph& graph, RunId id, const Run& 
 std::vector<PoseEdgeId> heldSteps(const Site& site, const Consensus& consensus,
                                   const ForEach& forEach);
 
+/** How many runs a link of which has given way. O(links). */
+std::size_t tornRuns(const Consensus& consensus);
+
 }  // namespace roomgraph

@@ -195,11 +195,18 @@ void agree(Consensus& consensus, std::size_t core, const ForEach& forEach) {
   consensus.trust = {std::move(best.slack), beliefIn(graph, consensus.poses, kInlier)};
 }
 
-/** Makes the links firm that runs hold against their consensus; whether there are any. */
-bool holdSteps(Consensus& consensus, const Site& site, const ForEach& forEach) {
+/** Makes the links firm that runs hold against their consensus; whether that has led to another
+ *  one. A run that is wrong over a whole stretch holds each of its steps with good reason: where
+ *  others are torn for it, it does not have its way. */
+bool holdSteps(Consensus& consensus, const Site& site, std::size_t core, const ForEach& forEach) {
   const std::vector<PoseEdgeId> held = heldSteps(site, consensus, forEach);
-  for (const PoseEdgeId link : held) consensus.graph.edges[link].share = fitted::kHeldShare;
-  return !held.empty();
+  if (held.empty()) return false;
+  Consensus holding = consensus;
+  for (const PoseEdgeId link : held) holding.graph.edges[link].share = fitted::kHeldShare;
+  agree(holding, core, forEach);
+  if (tornRuns(holding) > tornRuns(consensus)) return false;
+  consensus = std::move(holding);
+  return true;
 }
 
 }  // namespace
@@ -231,8 +238,9 @@ Consensus siteConsensus(const Site& site, const MapPairs& pairs, const DistinctM
   addMatches(consensus, site, pairs, forEach);
   agree(consensus, runs.core, forEach);
   if (addOwnToUnconfirmed(consensus, site, forEach)) agree(consensus, runs.core, forEach);
-  for (int round = 0; round < fitted::kHoldRounds && holdSteps(consensus, site, forEach); ++round)
-    agree(consensus, runs.core, forEach);
+  for (int round = 0;
+       round < fitted::kHoldRounds && holdSteps(consensus, site, runs.core, forEach); ++round) {
+  }
   if (graph.runs.size() == 1 && site.runs.size() > 1)
     consensus.errors[RunId(0)].seen = 1;  // by its copies
   for (const RunId run : graph.runs.ids())
