@@ -14,6 +14,7 @@
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/check/find_refuted.h"
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/images/png_bytes.h"
 #include "roomgraph/ledger/name_rooms.h"
@@ -58,9 +59,11 @@ MergedRun mergedRun(const Run& run, const std::vector<Transform2D>& real,
   return merged;
 }
 
-Merging chooseRuns(const SolvedRuns& runs, const LoadGridOptions& reading) {
+Merging chooseRuns(const SolvedRuns& runs, const LoadGridOptions& reading,
+                   const ForEach& forEach) {
   Merging merging;
   const RealPoses real = rejoinPieces(runs.solved);
+  const auto refuted = findRefuted(runs.solved.site, runs.solved.consensus, forEach);
   for (std::size_t i = 0; i < real.size(); ++i) {
     const Run& run = *runs.solved.site.runs[i];
     if (run.scans.empty()) {
@@ -69,6 +72,8 @@ Merging chooseRuns(const SolvedRuns& runs, const LoadGridOptions& reading) {
       merging.leftOut.push_back(run.name + ": others have not seen enough of it");
     } else if (fitsInTwoWays(runs.solved.consensus.errorOf(i))) {
       merging.leftOut.push_back(run.name + ": fits the others in two ways");
+    } else if (refuted[i]) {
+      merging.leftOut.push_back(run.name + ": " + weldedText(*refuted[i]));
     } else {
       merging.runs.push_back(mergedRun(run, real[i], reading));
       merging.from.push_back(&run);
@@ -176,11 +181,13 @@ int mergeSite(const MergeArguments& arguments) {
   const ResultFolder folder(arguments.folder);
   const CompareMapsOptions options = toCompareOptions(arguments.options);
   const auto runs = solvedRunsOf(arguments);
-  Merging merging = chooseRuns(*runs, options.extract.loadGrid);
+  const ForEach forEach = onThreads(arguments.running.threads, !arguments.running.isQuiet);
+  Merging merging = chooseRuns(*runs, options.extract.loadGrid, forEach);
+  printUnplaced(*runs);
   MergeOptions how;
   how.resolution = options.extract.loadGrid.resolution, how.prefersLatest = arguments.prefersLatest;
   const RunningArguments& running = arguments.running;
-  const MergedMap map = mergeRuns(merging.runs, how, onThreads(running.threads, !running.isQuiet));
+  const MergedMap map = mergeRuns(merging.runs, how, forEach);
   tellLeftOut(map, merging);
   Stages stages = extract(map.map, options.extract);
   const std::string gridmap = gridmapBytes(map.map, stages.grid);

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <memory>
 
+#include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/sequences.h"
 #include "roomgraph/check/check_run.h"
 #include "roomgraph/repair/solve_runs.h"
 #include "roomgraph/report/PairFolder.h"
+#include "roomgraph/report/comparison_sentences.h"
 #include "run_in_order.h"
 #include "terminal.h"
 
@@ -93,6 +95,24 @@ std::unique_ptr<SolvedRuns> solvedRunsOf(const SiteArguments& arguments) {
   printOthers(*runs);
   if (runs->read.reference) printFaultOf(runs->read.runs[*runs->read.reference]);
   return runs;
+}
+
+void printUnplaced(const SolvedRuns& runs) {
+  const Site& site = runs.solved.site;
+  const MapPairs& pairs = runs.solved.pairs;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < site.runs.size(); ++i) {
+    const auto isSure = [&](std::size_t other) {
+      return pairs(std::min(i, other), std::max(i, other)).alignment.confidence >= kSureConfidence;
+    };
+    const std::vector<std::size_t>& others = pairs.othersOf(i);
+    if (std::none_of(others.begin(), others.end(), isSure)) names.push_back(site.runs[i]->name);
+  }
+  if (!names.empty())
+    printError(listed(names, kMostNames) +
+               formatted(": not aligned with any other run with a confidence of %.1f: in a building "
+                         "that repeats itself, this may be the wrong place: check the result",
+                         kSureConfidence));
 }
 
 }  // namespace roomgraph

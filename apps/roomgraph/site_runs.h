@@ -41,4 +41,8 @@ struct SolvedRuns {
 /** Reads, relates and solves as `compare` does, and tells on stderr what is left out. */
 std::unique_ptr<SolvedRuns> solvedRunsOf(const SiteArguments& arguments);
 
+/** Names on stderr the runs that no pair places surely among the others: a building that repeats
+ *  itself may have them somewhere else. */
+void printUnplaced(const SolvedRuns& runs);
+
 }  // namespace roomgraph

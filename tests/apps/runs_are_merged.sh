@@ -5,6 +5,7 @@ maps=$source_dir/share/roomgraph/maps
 merge() { "$roomgraph" merge "$@" -o site --cache cache; }
 
 expect 0 merge "$maps"/office_run[1234].simplemap.gz --names names.json
+grep -q "not aligned" err && fail "a run whose place is sure is said to be elsewhere"
 for file in simplemap.gz gridmap.gz yaml pgm runs.png age.png graph.json graph.svg graph.geojson \
   graph.osm; do
   [ -s site/site.$file ] || fail "no $file"

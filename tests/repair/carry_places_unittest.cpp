@@ -8,6 +8,7 @@
 #include "repaired_site.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/repair/sound_frame.h"
+#include "sample_drives.h"
 #include "sampled_grid.h"
 
 namespace roomgraph {
@@ -36,6 +37,31 @@ TEST(CarryPlaces, placesFollowATornMap) {
   EXPECT_GE(2 * sure, carried.size());
   for (const std::size_t k : {18, 19, 21})  // beside the break at 20
     EXPECT_EQ(carried[k].state, CarryState::unsure) << k;
+}
+
+/** There and back, backwards, over the same places, each scan of a log of its own. */
+std::vector<Keyframe> thereAndBack(std::uint64_t log) {
+  std::vector<Keyframe> frames = test::driveForthAndBack();
+  for (std::size_t k = 0; k < frames.size(); ++k) frames[k].scanId = 1000 * log + k;
+  return frames;
+}
+
+TEST(CarryPlaces, nothingIsSureOfARunWhoseOwnBeamsRefuteIt) {
+  const auto welded = test::broken(thereAndBack(3), 50, 0, {0.5, 1.5});
+  test::SolvedDrives site({thereAndBack(1), thereAndBack(2), welded});
+  const auto refutedTo = [&](std::size_t to) {
+    const auto all = carryPlaces(besideScans(site.runs[0]), site.solved, site.real, 0, to);
+    return std::count_if(all.begin(), all.end(), [](const CarriedPlace& place) {
+      return place.reason.find("lays places over each other") != std::string::npos;
+    });
+  };
+  // As where all of the welded run fits the others, in a building that repeats itself.
+  Consensus& consensus = site.solved.consensus;
+  consensus.poses = consensus.graph.ownPoses();
+  for (std::size_t i = 0; i < site.runs.size(); ++i) site.real[i] = drawnPoses(site.runs[i].scans);
+  for (MapError& error : consensus.errors) error.error = error.high = 0.1;
+  EXPECT_GT(refutedTo(2), 0);
+  EXPECT_EQ(refutedTo(1), 0);
 }
 
 TEST(CarryPlaces, whatNobodyHasBeenNearIsUnseen) {

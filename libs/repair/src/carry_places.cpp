@@ -9,6 +9,7 @@
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/statistics.h"
+#include "roomgraph/check/find_refuted.h"
 #include "roomgraph/compare/RunScore.h"
 #include "roomgraph/relate/follow_walls.h"
 #include "roomgraph/repair/BendField.h"
@@ -57,8 +58,11 @@ std::vector<Transform2D> otherPoses(std::size_t from, std::size_t to, const MapP
 
 class Carrier {
  public:
-  Carrier(const SolvedSite& solved, const RealPoses& real, std::size_t from, std::size_t to)
+  Carrier(const SolvedSite& solved, const RealPoses& real, std::size_t from, std::size_t to,
+          const ForEach& forEach)
       : old_(solved.site.mapOf(from)), new_(solved.site.mapOf(to)) {
+    const auto refuted = findRefuted(solved.site, solved.consensus, forEach);
+    isRefuted_ = refuted[from] || refuted[to];
     const auto hasScans = [&](std::size_t run) { return !solved.site.runs[run]->scans.empty(); };
     isThroughSite_ = hasScans(from) && hasScans(to);
     isOnlySaid_ = solved.pairs(std::min(from, to), std::max(from, to)).alignment.isOnlySaid;
@@ -121,6 +125,7 @@ class Carrier {
     if (std::max(ways.there.rival, ways.onward.rival) > BendField::kSameCopy) return kTwice;
     if (carried.error > fitted::kLargeError) return "the maps bend here";
     if (isOnlySaid_) return "the maps hardly show that they are of one site";
+    if (isRefuted_) return "one of the maps lays places over each other that are not one";
     if (!place.isCorner && !isFreeNear(old_, place.pose.shift(), kSameWhereBent))
       return "the old map shows no free space there";
     const LocalScan view = viewFrom(old_, place.pose, kPatchReach);
@@ -163,7 +168,7 @@ class Carrier {
   }
 
   const WallMap &old_, &new_;
-  bool isOnlySaid_ = false, isPlaceSure_ = false;
+  bool isOnlySaid_ = false, isPlaceSure_ = false, isRefuted_ = false;
   std::vector<Transform2D> otherPoses_;  // new <- old
   bool isThroughSite_ = false;
   std::vector<BendField> fields_;
@@ -199,7 +204,7 @@ void doubtAllIfNearlyAllAre(std::vector<CarriedPlace>& places) {
 std::vector<CarriedPlace> carryPlaces(const std::vector<Place>& places, const SolvedSite& solved,
                                       const RealPoses& real, std::size_t from, std::size_t to,
                                       const ForEach& forEach) {
-  const Carrier carrier(solved, real, from, to);
+  const Carrier carrier(solved, real, from, to, forEach);
   std::vector<CarriedPlace> carried(places.size());
   forEach(places.size(), [&](std::size_t i) { carried[i] = carrier.carry(places[i]); });
   doubtAllIfNearlyAllAre(carried);
