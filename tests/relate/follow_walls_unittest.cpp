@@ -153,6 +153,24 @@ TEST(FollowWalls, furnitureThatIsNewIsNotTornOff) {
   EXPECT_TRUE(tornOff(followWalls(desks, mapOf(drawing), {{}})).empty());
 }
 
+/** A class-room with so many rows of desks, 1.2 m apart. */
+WallMap classRoom(int rows) {
+  return mapOf(test::sampledGrid({240, 360, 0.05, {}}, [&](Point p) {
+    if (p.x < 0.5 || p.y < 0.5 || p.x > 11.5 || p.y > 17.5) return State::occupied;
+    const int row = int(std::floor((p.y - 1.5) / 1.2));
+    const bool isRow = p.y - 1.5 - 1.2 * row < 0.5 && row >= 0 && row < rows;
+    const bool isDesk = (p.x > 1.2 && p.x < 2.2) || (p.x > 3.1 && p.x < 4.5) ||
+                        (p.x > 6.4 && p.x < 7.4) || (p.x > 9 && p.x < 10.6);
+    return isRow && isDesk ? State::occupied : State::free;
+  }));
+}
+
+TEST(FollowWalls, desksThatTheOtherMapHasNotAreNotThoseTwoRowsFurtherOn) {
+  const FollowedWalls found = followWalls(classRoom(11), classRoom(9), {{}});
+  EXPECT_TRUE(tornOff(found).empty());
+  EXPECT_LT(found.bend, 0.05);
+}
+
 TEST(FollowWalls, theMisfitIsThatOfAllWallsWhetherFollowedOrNot) {
   const WallMap map = mapOf(drawnBuilding(4, {}));
   const WallMap turned = mapOf(bent(drawnBuilding(4, {}), 0.3));
