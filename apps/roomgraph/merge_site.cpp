@@ -59,8 +59,7 @@ MergedRun mergedRun(const Run& run, const std::vector<Transform2D>& real,
   return merged;
 }
 
-Merging chooseRuns(const SolvedRuns& runs, const LoadGridOptions& reading,
-                   const ForEach& forEach) {
+Merging chooseRuns(const SolvedRuns& runs, const LoadGridOptions& reading, const ForEach& forEach) {
   Merging merging;
   const RealPoses real = rejoinPieces(runs.solved);
   const auto refuted = findRefuted(runs.solved.site, runs.solved.consensus, forEach);

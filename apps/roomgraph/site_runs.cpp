@@ -109,10 +109,11 @@ void printUnplaced(const SolvedRuns& runs) {
     if (std::none_of(others.begin(), others.end(), isSure)) names.push_back(site.runs[i]->name);
   }
   if (!names.empty())
-    printError(listed(names, kMostNames) +
-               formatted(": not aligned with any other run with a confidence of %.1f: in a building "
-                         "that repeats itself, this may be the wrong place: check the result",
-                         kSureConfidence));
+    printError(
+        listed(names, kMostNames) +
+        formatted(": not aligned with any other run with a confidence of %.1f: in a building "
+                  "that repeats itself, this may be the wrong place: check the result",
+                  kSureConfidence));
 }
 
 }  // namespace roomgraph
