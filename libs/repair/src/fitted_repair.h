@@ -14,7 +14,7 @@ constexpr double kWithin = 2.5 * 1.4826;  // medians: 2.5 standard deviations of
 constexpr std::size_t kProbes = 60;  // scans of it, or of a piece, by which it is judged, about
 // An interval from less than this part of the error on holds two answers, as in a building that is
 // symmetric: of one answer it begins at a third or more.
-constexpr double kTwoWays = 10;
+constexpr double kTwoWays = 5;
 
 // One map of several runs.
 constexpr double kWallShare = 0.4;       // of the votes, from which on a cell is wall
