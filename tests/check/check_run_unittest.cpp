@@ -33,6 +33,20 @@ TEST(CheckRun, aTornRunIsToldBeforeItsFirstKeyFrameBehindTheTear) {
   }
 }
 
+TEST(CheckRun, whereScansComeAStepLateTheClockIsToBlame) {
+  std::vector<Transform2D> poses = test::posesOf(test::driveForthAndBack());
+  for (std::size_t k = 0; k < poses.size(); ++k) poses[k].phi += k % 4 < 2 ? 0.35 : -0.35;
+  const auto checkedAs = [&](std::size_t late) {
+    std::vector<Keyframe> frames = test::drawnDrive(test::drawnBuilding(4, {}), poses);
+    for (std::size_t k = frames.size(); k-- > late;) frames[k].ends = frames[k - late].ends;
+    return checked(frames);
+  };
+  const RunCheck late = checkedAs(1);
+  EXPECT_FALSE(late.selfError);
+  EXPECT_NE(late.sentence.find("clock"), std::string::npos) << late.sentence;
+  EXPECT_EQ(checkedAs(0).sentence.find("clock"), std::string::npos);
+}
+
 TEST(CheckRun, aRunThatBendsLittleByLittleHasNoBreak) {
   const std::vector<Keyframe> sound = test::driveForthAndBack();
   for (const double turn : {0.006, -0.006}) {  // of each step, as of a gyro

@@ -95,8 +95,18 @@ double shareOfPath(const std::vector<CheckedPose>& path) {
   return all > 0 ? seen / all : 0;
 }
 
+/** Whether so many steps break that the scanner is at fault, and not the map. */
+bool isScannerWrong(const RunCheck& check) {
+  return double(check.breaks.size()) > fitted::kMostBroken * double(check.path.size());
+}
+
 std::string sentenceOf(const RunCheck& check, bool isRefuted) {
   const double percent = 100 * check.seenTwice;
+  if (isScannerWrong(check))
+    return formatted(
+        "cannot tell: %zu of its %zu steps contradict its scans, as if the clock of the scanner "
+        "were late, or the scanner not mounted as the run says",
+        check.breaks.size(), check.path.size() - 1);
   if (!check.selfError && !check.welded.empty())
     return formatted(
         "cannot tell: key frames %zu and %zu are drawn at one place, but see through each other's "
@@ -183,7 +193,7 @@ RunCheck checkRun(const Run& run) {
   // It has not parted what cannot be one place, so that nothing says how far it is off.
   const bool isBlind = !check.welded.empty() && agreed.error.error < kBreakShift;
   const bool isRefuted = agreed.error.low > 0 && seesThroughMore(beams, agreedBeams);
-  if (check.isConfirmed && !isBlind && !isRefuted &&
+  if (check.isConfirmed && !isBlind && !isRefuted && !isScannerWrong(check) &&
       (check.seenTwice > fitted::kLeastSeenTwice || !check.breaks.empty())) {
     check.selfError = agreed.error.error;
     check.low = agreed.error.low, check.high = agreed.error.high;
