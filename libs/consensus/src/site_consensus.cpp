@@ -238,9 +238,8 @@ Consensus siteConsensus(const Site& site, const MapPairs& pairs, const DistinctM
   addMatches(consensus, site, pairs, forEach);
   agree(consensus, runs.core, forEach);
   if (addOwnToUnconfirmed(consensus, site, forEach)) agree(consensus, runs.core, forEach);
-  for (int round = 0; round < fitted::kHoldRounds && holdSteps(consensus, site, runs.core, forEach);
-       ++round) {
-  }
+  int round = 0;
+  while (round < fitted::kHoldRounds && holdSteps(consensus, site, runs.core, forEach)) ++round;
   if (graph.runs.size() == 1 && site.runs.size() > 1)
     consensus.errors[RunId(0)].seen = 1;  // by its copies
   for (const RunId run : graph.runs.ids())

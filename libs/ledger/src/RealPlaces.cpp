@@ -23,20 +23,14 @@ struct Drawn {
   NodeId node;
 };
 
-/** The walls that each scan of a run has met; of a run without scans, the middles of its patches.
- *  By tile and node. */
-std::vector<Drawn> allDrawn(const Run& run, const IdRange<NodeId>& nodes, const PoseGraph& graph,
+/** The walls that each scan of a run has met, by tile and node. */
+std::vector<Drawn> allDrawn(const std::vector<ScanWalls>& scans, const IdRange<NodeId>& nodes,
                             const GridFrame& tiles) {
   std::vector<Drawn> drawn;
-  const auto add = [&](Point place, NodeId node) {
-    if (const Cell tile = tiles.cellAt(place); tiles.contains(tile))
-      drawn.push_back({tiles.index(tile), node});
-  };
-  for (std::size_t k = 0; k < nodes.size(); ++k)
-    if (run.scans.empty())
-      add(graph.nodes[nodes[k]].pose.shift(), nodes[k]);
-    else
-      for (const WallPoint& wall : run.scans[k].walls) add(wall.place, nodes[k]);
+  for (std::size_t k = 0; k < std::min(scans.size(), nodes.size()); ++k)
+    for (const WallPoint& wall : scans[k].walls)
+      if (const Cell tile = tiles.cellAt(wall.place); tiles.contains(tile))
+        drawn.push_back({tiles.index(tile), nodes[k]});
   sortBy(drawn, [](const Drawn& one) { return std::make_pair(one.tile, one.node); });
   return drawn;
 }
@@ -68,17 +62,17 @@ std::vector<NodeId> nodesOfTiles(const std::vector<Drawn>& drawn, const GridFram
 
 RealPlaces::RealPlaces(const Site& site, const Consensus& consensus, const Transform2D& frame,
                        std::size_t run) {
-  const IdRange<NodeId> nodes = consensus.nodesOf(run);
-  const std::size_t counted = nodes.isEmpty() ? run : consensus.siteRuns[consensus.graphRuns[run]];
+  const RunId id = consensus.graphRuns[run];
+  const std::size_t counted = id ? consensus.siteRuns[id] : run;
   copied_ = site.poses[counted].inverse() * site.poses[run];
   tiles_ = tilesOf(site.runs[counted]->map.frame);
   poses_.assign(tiles_.cellCount(), site.poses[counted]);
-  const PoseGraph& graph = consensus.graph;
-  const std::vector<NodeId> nodeOf =
-      nodesOfTiles(allDrawn(*site.runs[counted], nodes, graph, tiles_), tiles_);
+  const std::vector<Drawn> drawn =
+      allDrawn(site.runs[counted]->scans, consensus.nodesOf(run), tiles_);
+  const std::vector<NodeId> nodeOf = nodesOfTiles(drawn, tiles_);
   for (std::size_t tile = 0; tile < poses_.size(); ++tile)
     if (const NodeId node = nodeOf[tile])
-      poses_[tile] = frame * consensus.poses[node] * graph.nodes[node].pose.inverse();
+      poses_[tile] = frame * consensus.poses[node] * consensus.graph.nodes[node].pose.inverse();
 }
 
 Transform2D RealPlaces::at(Point place) const {
@@ -91,7 +85,7 @@ Transform2D RealPlaces::at(Point place) const {
 Transform2D frameOfConsensus(const Site& site, const Consensus& consensus, const Trust& trust) {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < site.runs.size(); ++i)
-    if (!consensus.nodesOf(i).isEmpty() && consensus.isCounted(i) &&
+    if (!site.runs[i]->scans.empty() && consensus.isCounted(i) &&
         (!best || trust[i] > trust[*best]))
       best = i;
   MotionFit fit;

@@ -7,9 +7,8 @@
 
 namespace roomgraph {
 
-/** Where the places of one run really lie in the site: each as the node does, a key frame or a
- *  patch of walls, that has drawn most beside it. Where the consensus has no nodes of the run, as
- *  the run does as a whole. */
+/** Where the places of one run really lie in the site: each as the key frame does that has drawn
+ *  most beside it; of a run without scans, as the run does as a whole. */
 class RealPlaces {
  public:
   /** `frame`: site <- frame of the consensus. O(area of the map + walls of all scans). */
@@ -25,8 +24,8 @@ class RealPlaces {
   Transform2D copied_;              ///< that run <- run
 };
 
-/** site <- frame of the consensus, so that most of what the most trusted run has drawn stays. The
- *  identity where no run has nodes. O(nodes). */
+/** site <- frame of the consensus, which has the most trusted run as near as can be to where it
+ *  lies in the site. The identity where no run has scans. O(key frames). */
 Transform2D frameOfConsensus(const Site& site, const Consensus& consensus, const Trust& trust);
 
 }  // namespace roomgraph
