@@ -26,6 +26,7 @@ Consensus tornInHalf(const roomgraph::Run& run, const Transform2D& frame = {}) {
   Consensus consensus;
   consensus.graphRuns = {addRunNodes(run, consensus.graph)};
   consensus.siteRuns.add(0);
+  consensus.errors.add({});
   consensus.poses.add(frame * run.scans[0].pose);
   consensus.poses.add(frame * Transform2D{2, 0, 0} * run.scans[1].pose);
   return consensus;
@@ -65,6 +66,19 @@ TEST(RealPlaces, whatTheMostTrustedRunHasDrawnStaysInTheMean) {
       0.5 * (frame(consensus.poses[NodeId(0)].shift()) + frame(consensus.poses[NodeId(1)].shift()));
   EXPECT_LT(distance(middle, site.poses[0]({5, 2})), 1e-9);
   EXPECT_LT(distance(frameOfConsensus({}, {}, {})({1, 2}), {1, 2}), 1e-9);
+}
+
+TEST(RealPlaces, ofRunsThatAreTrustedAlikeTheFrameIsThatOfTheOneWithTheLeastError) {
+  const roomgraph::Run run = twoHalves();
+  const Site site{{&run, &run}, {{9, 9, 0}, {}}, {0, 1}, {}};
+  Consensus consensus = tornInHalf(run);
+  consensus.graphRuns.push_back(addRunNodes(run, consensus.graph));
+  consensus.siteRuns.add(1);
+  for (const ScanWalls& scan : run.scans) consensus.poses.add(scan.pose);
+  consensus.errors[RunId(0)].error = 1;
+  consensus.errors.add({});
+  EXPECT_LT(distance(frameOfConsensus(site, consensus, {0, 0})({1, 2}), {1, 2}), 1e-9);
+  EXPECT_GT(distance(frameOfConsensus(site, consensus, {1, 0})({1, 2}), {1, 2}), 5);
 }
 
 }  // namespace

@@ -142,6 +142,7 @@ void addHalves(roomgraph::Run& run, const House& house, const Transform2D& pose,
     consensus.poses.add({x, 5, 0});
   }
   consensus.siteRuns.add(consensus.graphRuns.size());
+  consensus.errors.add({});
   consensus.graphRuns.push_back(addRunNodes(run, consensus.graph));
 }
 

@@ -84,9 +84,11 @@ Transform2D RealPlaces::at(Point place) const {
 
 Transform2D frameOfConsensus(const Site& site, const Consensus& consensus, const Trust& trust) {
   std::optional<std::size_t> best;
+  const auto rank = [&](std::size_t i) {
+    return std::make_pair(-trust[i], consensus.errorOf(i).error);
+  };
   for (std::size_t i = 0; i < site.runs.size(); ++i)
-    if (!site.runs[i]->scans.empty() && consensus.isCounted(i) &&
-        (!best || trust[i] > trust[*best]))
+    if (!site.runs[i]->scans.empty() && consensus.isCounted(i) && (!best || rank(i) < rank(*best)))
       best = i;
   MotionFit fit;
   if (best)

@@ -24,8 +24,9 @@ class RealPlaces {
   Transform2D copied_;              ///< that run <- run
 };
 
-/** site <- frame of the consensus, which has the most trusted run as near as can be to where it
- *  lies in the site. The identity where no run has scans. O(key frames). */
+/** site <- frame of the consensus, which has the most trusted run, or of equal ones that with the
+ *  least error, as near as can be to where it lies in the site. The identity where no run has
+ *  scans. O(key frames). */
 Transform2D frameOfConsensus(const Site& site, const Consensus& consensus, const Trust& trust);
 
 }  // namespace roomgraph
