@@ -66,20 +66,21 @@ RealPlaces::RealPlaces(const Site& site, const Consensus& consensus, const Trans
   const std::size_t counted = id ? consensus.siteRuns[id] : run;
   copied_ = site.poses[counted].inverse() * site.poses[run];
   tiles_ = tilesOf(site.runs[counted]->map.frame);
-  poses_.assign(tiles_.cellCount(), site.poses[counted]);
+  motions_.assign(tiles_.cellCount(), Motion2D(site.poses[run]));
   const std::vector<Drawn> drawn =
       allDrawn(site.runs[counted]->scans, consensus.nodesOf(run), tiles_);
   const std::vector<NodeId> nodeOf = nodesOfTiles(drawn, tiles_);
-  for (std::size_t tile = 0; tile < poses_.size(); ++tile)
+  for (std::size_t tile = 0; tile < motions_.size(); ++tile)
     if (const NodeId node = nodeOf[tile])
-      poses_[tile] = frame * consensus.poses[node] * consensus.graph.nodes[node].pose.inverse();
+      motions_[tile] = Motion2D(frame * consensus.poses[node] *
+                                consensus.graph.nodes[node].pose.inverse() * copied_);
 }
 
-Transform2D RealPlaces::at(Point place) const {
+const Motion2D& RealPlaces::at(Point place) const {
   const Cell tile = tiles_.cellAt(copied_(place));
   const Cell inside{std::clamp(tile.x, 0, tiles_.width - 1),
                     std::clamp(tile.y, 0, tiles_.height - 1)};
-  return poses_[tiles_.index(inside)] * copied_;
+  return motions_[tiles_.index(inside)];
 }
 
 Transform2D frameOfConsensus(const Site& site, const Consensus& consensus, const Trust& trust) {

@@ -16,12 +16,12 @@ class RealPlaces {
              std::size_t run);
 
   /** At a place of the run [m, run frame]: site <- run. O(1). */
-  [[nodiscard]] Transform2D at(Point place) const;
+  [[nodiscard]] const Motion2D& at(Point place) const;
 
  private:
-  GridFrame tiles_;                 ///< of the map of the run that counts for it
-  std::vector<Transform2D> poses_;  ///< site <- that run, per tile
-  Transform2D copied_;              ///< that run <- run
+  GridFrame tiles_;                ///< of the map of the run that counts for it
+  std::vector<Motion2D> motions_;  ///< site <- run, per tile
+  Transform2D copied_;             ///< that run <- run
 };
 
 /** site <- frame of the consensus, which has the most trusted run, or of equal ones that with the

@@ -15,14 +15,17 @@
 namespace roomgraph {
 namespace {
 
+/** Every second cell both ways. */
+bool isSample(Cell c) { return c.x % 2 == 0 && c.y % 2 == 0; }
+
 /** As most of an area really lies: site <- run. */
 Transform2D realPose(const Polygon& polygon, const GridFrame& frame, const RealPlaces& places) {
   MotionFit fit;
-  for (const Cell c : cellsIn(polygon, frame)) {
-    const Point place = frame.center(c);
-    fit.add(place, places.at(place)(place));
-  }
-  return fit.weight() > 0 ? fit.motion() : places.at(polygon.outer.front());
+  const auto add = [&](Point place) { fit.add(place, places.at(place)(place)); };
+  for (const Point corner : polygon.outer) add(corner);  // where it is smaller than a cell
+  for (const Cell c : cellsIn(polygon, frame))
+    if (isSample(c)) add(frame.center(c));
+  return fit.motion();
 }
 
 Polygon moved(Polygon polygon, const Transform2D& pose) {
@@ -45,9 +48,6 @@ struct LaidDown {
     }
   }
 };
-
-/** Every second cell both ways. */
-bool isSample(Cell c) { return c.x % 2 == 0 && c.y % 2 == 0; }
 
 /** Adds areas with these shapes, and labels their cells. `poses`: site <- run, for their doors. */
 void addShapes(const AreaGraph& areas, const std::vector<Transform2D>& poses,
@@ -76,20 +76,22 @@ void addShapes(const AreaGraph& areas, const std::vector<Transform2D>& poses,
   }
 }
 
-/** Labels the cells that a run knows, each quarter of one where it really lies. */
+/** Labels the cells that a run knows, each where it really lies: by its quarters, so that none of
+ *  the frame is missed, where that has cells no larger than the map. */
 void markKnown(const WallMap& map, const RealPlaces& places, const GridFrame& frame,
                RunAreas& run) {
-  std::vector<std::int8_t> walls(frame.cellCount());  // quarters, less those that are free
-  const double quarter = map.frame.resolution / 4;
+  std::vector<std::int8_t> walls(frame.cellCount());  // parts, less those that are free
+  std::vector<Point> parts{{0, 0}};
+  if (const double side = map.frame.resolution / 4; frame.resolution <= 4 * side)
+    parts = {{-side, -side}, {-side, side}, {side, -side}, {side, side}};
   for (int y = 0; y < map.frame.height; ++y)
     for (int x = 0; x < map.frame.width; ++x) {
       const State state = map.states[map.frame.index({x, y})];
       if (state == State::unknown) continue;
       const Point middle = map.frame.center({x, y});
-      const Transform2D& pose = places.at(middle);
-      for (const Point off : {Point{-quarter, -quarter}, Point{-quarter, quarter},
-                              Point{quarter, -quarter}, Point{quarter, quarter}}) {
-        const Cell there = frame.cellAt(pose(middle + off));
+      const Motion2D& motion = places.at(middle);
+      for (const Point part : parts) {
+        const Cell there = frame.cellAt(motion(middle + part));
         if (!frame.contains(there)) continue;
         std::int8_t& wall = walls[frame.index(there)];
         wall = std::int8_t(std::clamp(wall + (state == State::free ? -1 : 1), -100, 100));
