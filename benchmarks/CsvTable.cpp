@@ -43,4 +43,8 @@ double CsvTable::number(std::size_t row, const std::string& column) const {
   return std::atof(text(row, column).c_str());
 }
 
+Transform2D CsvTable::pose(std::size_t row, const std::string& name) const {
+  return {number(row, name + "_x"), number(row, name + "_y"), number(row, name + "_phi")};
+}
+
 }  // namespace roomgraph

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "roomgraph/geometry/Transform2D.h"
+
 namespace roomgraph {
 
 /** A small table of text, as the data sets come with. */
@@ -15,6 +17,8 @@ class CsvTable {
   std::size_t size() const { return rows_.size(); }
   const std::string& text(std::size_t row, const std::string& column) const;
   double number(std::size_t row, const std::string& column) const;
+  /** Of the columns NAME_x, NAME_y and NAME_phi. */
+  Transform2D pose(std::size_t row, const std::string& name) const;
 
  private:
   std::string file_;

@@ -59,9 +59,6 @@ const std::vector<std::string>& simulatedSites() {
 
 void addSimulatedSite(const std::string& folder, const std::string& site, AlignmentCases& cases) {
   const CsvTable truth(folder + "/truth.csv");
-  const auto pose = [&](std::size_t i) {
-    return Transform2D{truth.number(i, "A_x"), truth.number(i, "A_y"), truth.number(i, "A_phi")};
-  };
   for (std::size_t i = 0; i < truth.size(); ++i)
     for (std::size_t k = i + 1; k < truth.size(); ++k) {
       AlignmentCase pair;
@@ -69,7 +66,7 @@ void addSimulatedSite(const std::string& folder, const std::string& site, Alignm
       pair.name = site + " " + truth.text(i, "run") + " " + truth.text(k, "run");
       pair.a = cases.add({folder + "/" + truth.text(i, "run") + ".gridmap.gz", 0.05, site});
       pair.b = cases.add({folder + "/" + truth.text(k, "run") + ".gridmap.gz", 0.05, site});
-      pair.truth = pose(i).inverse() * pose(k);
+      pair.truth = truth.pose(i, "A").inverse() * truth.pose(k, "A");
       // A bent map has no one right pose: the better of its parts may be off by its own error.
       const double bent = std::hypot(truth.number(i, "map_rms_m"), truth.number(k, "map_rms_m"));
       pair.within = std::max(0.8, 1.5 * bent);

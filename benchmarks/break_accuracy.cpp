@@ -76,9 +76,7 @@ void measure(const std::string& data, const std::string& only, const std::string
 int main(int argc, char** argv) {
   CLI::App app("How well the breaks that simulated runs were given are found.");
   std::string data, only, extension = ".simplemap.gz";
-  app.add_option("--data", data, "folder with one folder per site, each with runs and a truth.csv")
-      ->required();
-  app.add_option("--only", only, "only sites with this in their name");
+  roomgraph::declareSites(data, only, app);
   app.add_option("--extension", extension, "of the runs")->capture_default_str();
   return roomgraph::runBenchmark(app, argc, argv,
                                  [&] { roomgraph::measure(data, only, extension); });

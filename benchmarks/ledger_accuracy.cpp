@@ -12,8 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "CsvTable.h"
-#include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/grid/polygon_cells.h"
 #include "roomgraph/images/read_labels.h"
 #include "run_benchmark.h"
@@ -36,19 +34,14 @@ struct Count {
   }
 };
 
-/** plan <- site. */
-Transform2D placeOf(const Comparison& comparison, const std::string& folder) {
-  const CsvTable table(folder + "/truth.csv");
+/** plan <- site, by the run with the least error. */
+Transform2D placeOf(const Comparison& comparison, const SimulatedSite& site) {
   double least = HUGE_VAL;
   Transform2D place;
-  for (std::size_t row = 0; row < table.size(); ++row)
-    for (const ComparedRun& run : comparison.runs) {
-      if (run.name != table.text(row, "run") || table.number(row, "map_rms_m") >= least) continue;
-      least = table.number(row, "map_rms_m");
-      place = Transform2D{table.number(row, "A_x"), table.number(row, "A_y"),
-                          table.number(row, "A_phi")} *
-              run.pose.inverse();
-    }
+  for (std::size_t i = 0; i < site.runs.size(); ++i)
+    for (const ComparedRun& run : comparison.runs)
+      if (run.name == site.runs[i].name && site.truth[i] < least)
+        least = site.truth[i], place = site.toTruth[i] * run.pose.inverse();
   return place;
 }
 
@@ -109,16 +102,6 @@ Count countSite(const std::string& folder, const std::vector<SiteRoom>& rooms,
   return count;
 }
 
-Count countSite(const std::string& folder) {
-  std::vector<std::string> files;
-  const CsvTable table(folder + "/truth.csv");
-  for (std::size_t row = 0; row < table.size(); ++row)
-    files.push_back(folder + '/' + table.text(row, "run") + ".simplemap.gz");
-  const CompareMapsOptions options;
-  const Comparison comparison = compareMaps(readRuns(files, options), options);
-  return countSite(folder, comparison.rooms, placeOf(comparison, folder));
-}
-
 void print(const std::string& name, const Count& count) {
   std::printf("| %s | %d | %d | %.1f | %d | %d | %d | %d | %d |\n", name.c_str(), count.rooms,
               count.found, 100 * count.iou / std::max(1, count.rooms), count.told, count.wrong,
@@ -132,8 +115,10 @@ void measure(const std::string& data, const std::string& only) {
       "unvisited |\n|---|---|---|---|---|---|---|---|---|\n");
   Count all;
   for (const std::string& folder : simulatedSites(data, only)) {
-    const Count count = countSite(folder);
-    print(folder.substr(folder.find_last_of('/') + 1), count);
+    const SimulatedSite site = readSite(folder, ".simplemap.gz");
+    const Comparison comparison = compareRuns(site.runs, site.related, {});
+    const Count count = countSite(folder, comparison.rooms, placeOf(comparison, site));
+    print(site.name, count);
     all.add(count);
   }
   print("**all**", all);
@@ -145,8 +130,6 @@ void measure(const std::string& data, const std::string& only) {
 int main(int argc, char** argv) {
   CLI::App app("Holds the rooms that the runs of a site agree on against the labels of its plan.");
   std::string data, only;
-  app.add_option("--data", data, "folder with one folder per site, each with runs and a truth.csv")
-      ->required();
-  app.add_option("--only", only, "only sites with this in their name");
+  roomgraph::declareSites(data, only, app);
   return roomgraph::runBenchmark(app, argc, argv, [&] { roomgraph::measure(data, only); });
 }

@@ -92,9 +92,7 @@ int main(int argc, char** argv) {
   CLI::App app("How well other figures than the score agree with the true errors of runs.");
   std::string data, only;
   roomgraph::MapMetricsOptions options;
-  app.add_option("--data", data, "folder with one folder per site, each with runs and a truth.csv")
-      ->required();
-  app.add_option("--only", only, "only sites with this in their name");
+  roomgraph::declareSites(data, only, app);
   app.add_option("--radius", options.radius, "of what lies round a scan point [m]")
       ->capture_default_str();
   return roomgraph::runBenchmark(app, argc, argv, [&] { roomgraph::measure(data, only, options); });

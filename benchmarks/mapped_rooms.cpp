@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -90,9 +91,8 @@ SiteSum scoreSite(const std::string& folder) {
   SiteSum sum;
   for (std::size_t row = 0; row < table.size(); ++row) {
     if (table.number(row, "map_rms_m") >= kLargestError) continue;
-    const Transform2D pose{table.number(row, "A_x"), table.number(row, "A_y"),
-                           table.number(row, "A_phi")};
-    sum.add(scoreMap(extracted(table.text(row, "run") + ".simplemap.gz"), pose, plan, labels));
+    const Stages map = extracted(table.text(row, "run") + ".simplemap.gz");
+    sum.add(scoreMap(map, table.pose(row, "A"), plan, labels));
   }
   return sum;
 }
@@ -113,7 +113,7 @@ void measure(const std::string& data, const std::string& only) {
   SiteSum all;
   for (const std::string& folder : simulatedSites(data, only)) {
     const SiteSum sum = scoreSite(folder);
-    print(folder.substr(folder.find_last_of('/') + 1), sum);
+    print(std::filesystem::path(folder).filename().string(), sum);
     all.add(sum);
   }
   print("**all maps**", all);
@@ -125,8 +125,6 @@ void measure(const std::string& data, const std::string& only) {
 int main(int argc, char** argv) {
   CLI::App app("Scores rooms and corridors of simulated runs against the labels of their plans.");
   std::string data, only;
-  app.add_option("--data", data, "folder with one folder per site, each with runs and a truth.csv")
-      ->required();
-  app.add_option("--only", only, "only sites with this in their name");
+  roomgraph::declareSites(data, only, app);
   return roomgraph::runBenchmark(app, argc, argv, [&] { roomgraph::measure(data, only); });
 }

@@ -103,8 +103,6 @@ void measure(const std::string& data, const std::string& only) {
 int main(int argc, char** argv) {
   CLI::App app("How well the scale of a floor plan is found by the runs of its building.");
   std::string data, only;
-  app.add_option("--data", data, "folder with one folder per site, each with runs and a truth.csv")
-      ->required();
-  app.add_option("--only", only, "only sites with this in their name");
+  roomgraph::declareSites(data, only, app);
   return roomgraph::runBenchmark(app, argc, argv, [&] { roomgraph::measure(data, only); });
 }

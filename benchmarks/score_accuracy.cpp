@@ -138,9 +138,7 @@ int main(int argc, char** argv) {
   CLI::App app("How well the scores of simulated runs agree with the true errors.");
   std::string data, only, extension = ".gridmap.gz";
   int draws = 200;
-  app.add_option("--data", data, "folder with one folder per site, each with runs and a truth.csv")
-      ->required();
-  app.add_option("--only", only, "only sites with this in their name");
+  roomgraph::declareSites(data, only, app);
   app.add_option("--extension", extension, "of the runs")->capture_default_str();
   app.add_option("--draws", draws, "of five and of three runs a site")->capture_default_str();
   return roomgraph::runBenchmark(app, argc, argv,

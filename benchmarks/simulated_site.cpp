@@ -64,8 +64,7 @@ SimulatedSite readSite(const std::string& folder, const std::string& extension) 
   for (const Run& run : site.runs) {
     const std::size_t row = rowOf.at(run.name);
     site.truth.push_back(table.number(row, "map_rms_m"));
-    site.toTruth.push_back(
-        {table.number(row, "A_x"), table.number(row, "A_y"), table.number(row, "A_phi")});
+    site.toTruth.push_back(table.pose(row, "A"));
     site.breaks.push_back(breakIn(table, row));
     site.settings.push_back(settingsIn(table, row));
   }

@@ -180,12 +180,12 @@ int mergeSite(const MergeArguments& arguments) {
   const ResultFolder folder(arguments.folder);
   const CompareMapsOptions options = toCompareOptions(arguments.options);
   const auto runs = solvedRunsOf(arguments);
-  const ForEach forEach = onThreads(arguments.running.threads, !arguments.running.isQuiet);
+  const RunningArguments& running = arguments.running;
+  const ForEach forEach = onThreads(running.threads, !running.isQuiet);
   Merging merging = chooseRuns(*runs, options.extract.loadGrid, forEach);
   printUnplaced(*runs);
   MergeOptions how;
   how.resolution = options.extract.loadGrid.resolution, how.prefersLatest = arguments.prefersLatest;
-  const RunningArguments& running = arguments.running;
   const MergedMap map = mergeRuns(merging.runs, how, forEach);
   tellLeftOut(map, merging);
   Stages stages = extract(map.map, options.extract);

@@ -8,6 +8,7 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/sequences.h"
 #include "roomgraph/check/check_run.h"
+#include "roomgraph/relate/place_runs.h"
 #include "roomgraph/repair/solve_runs.h"
 #include "roomgraph/report/PairFolder.h"
 #include "roomgraph/report/comparison_sentences.h"
@@ -99,15 +100,9 @@ std::unique_ptr<SolvedRuns> solvedRunsOf(const SiteArguments& arguments) {
 
 void printUnplaced(const SolvedRuns& runs) {
   const Site& site = runs.solved.site;
-  const MapPairs& pairs = runs.solved.pairs;
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < site.runs.size(); ++i) {
-    const auto isSure = [&](std::size_t other) {
-      return pairs(std::min(i, other), std::max(i, other)).alignment.confidence >= kSureConfidence;
-    };
-    const std::vector<std::size_t>& others = pairs.othersOf(i);
-    if (std::none_of(others.begin(), others.end(), isSure)) names.push_back(site.runs[i]->name);
-  }
+  for (std::size_t i = 0; i < site.runs.size(); ++i)
+    if (countSure(runs.solved.pairs, i) == 0) names.push_back(site.runs[i]->name);
   if (!names.empty())
     printError(
         listed(names, kMostNames) +

@@ -201,11 +201,8 @@ class Follower {
    *  map does not know, if another part explains what they have found. A torn run that has come
    *  back does the same: where there are scans, they decide. */
   bool speaksForItself(const Transform2D& first, double walls) const {
-    std::vector<const WallPoint*> found;
-    for (std::size_t k = 0; k < foundIn_.size(); ++k)
-      if (foundIn_[k] == layer_) found.push_back(&map_.walls[k]);
-    const auto pointAt = [&](std::size_t i) -> const WallPoint& { return *found[i]; };
-    const WallShare share = wallShare(found.size(), pointAt, other_, first);
+    const auto isFound = [&](std::size_t k) { return foundIn_[k] == layer_; };
+    const WallShare share = shareOfChosen(map_, isFound, other_, first);
     if (walls - share.found < leastPiece()) return false;
     return twice_ < kSureQuality * walls || share.known >= fitted::kMinKnown * share.all;
   }

@@ -210,6 +210,13 @@ const FollowedWalls& followedIn(const MapPairs& pairs, std::size_t of, std::size
   return of < in ? pairs(of, in).aInB : pairs(in, of).bInA;
 }
 
+std::size_t countSure(const MapPairs& pairs, std::size_t run) {
+  const std::vector<std::size_t>& others = pairs.othersOf(run);
+  return std::size_t(std::count_if(others.begin(), others.end(), [&](std::size_t other) {
+    return pairs(run, other).alignment.confidence >= kSureConfidence;
+  }));
+}
+
 PairBends bendsOf(const MapPairs& pairs) {
   PairBends bends(pairs.things(), pairs.pairs());
   for (const auto& [i, j] : pairs.pairs()) {

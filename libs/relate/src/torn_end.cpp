@@ -53,11 +53,8 @@ std::optional<ScanFit> placeOf(const LocalScan& scan, const WallMap& other,
  *  with two records of thirteen sites the rest fits up to 0.46 times as well. */
 bool isRepeated(const WallMap& map, const WallMap& other, const std::vector<bool>& isFound,
                 const Transform2D& pose, double quality) {
-  std::vector<const WallPoint*> found;
-  for (std::size_t k = 0; k < isFound.size(); ++k)
-    if (isFound[k]) found.push_back(&map.walls[k]);
-  const auto pointAt = [&](std::size_t i) -> const WallPoint& { return *found[i]; };
-  const WallShare share = wallShare(found.size(), pointAt, other, pose);
+  const auto isChosen = [&](std::size_t k) { return isFound[k]; };
+  const WallShare share = shareOfChosen(map, isChosen, other, pose);
   return share.found >= kMajority * quality * share.known;
 }
 

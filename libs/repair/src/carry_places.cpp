@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "fitted_repair.h"
-#include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/align/find_scan.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/sentence_text.h"
@@ -12,6 +11,7 @@
 #include "roomgraph/check/find_refuted.h"
 #include "roomgraph/compare/RunScore.h"
 #include "roomgraph/relate/follow_walls.h"
+#include "roomgraph/relate/place_runs.h"
 #include "roomgraph/repair/BendField.h"
 
 namespace roomgraph {
@@ -38,17 +38,12 @@ struct BothWays {
 
 /** Whether most pairs of a run are sure of how it lies in the others. */
 bool areMostSureOf(std::size_t run, const MapPairs& pairs) {
-  const std::vector<std::size_t>& others = pairs.othersOf(run);
-  const auto sure = std::count_if(others.begin(), others.end(), [&](std::size_t other) {
-    return pairs(std::min(run, other), std::max(run, other)).alignment.confidence >=
-           kSureConfidence;
-  });
-  return 2 * std::size_t(sure) > others.size();
+  return 2 * countSure(pairs, run) > pairs.othersOf(run).size();
 }
 
 /** All that was thought of as to how run `from` may lie in run `to`. */
 std::vector<Transform2D> otherPoses(std::size_t from, std::size_t to, const MapPairs& pairs) {
-  const Alignment& alignment = pairs(std::min(from, to), std::max(from, to)).alignment;
+  const Alignment& alignment = pairs(from, to).alignment;
   std::vector<Transform2D> poses = alignment.poses;
   if (alignment.runnerUp) poses.push_back(alignment.runnerUp->pose);
   if (from < to)  // they say where `to` lies in `from`
@@ -65,7 +60,7 @@ class Carrier {
     isRefuted_ = refuted[from] || refuted[to];
     const auto hasScans = [&](std::size_t run) { return !solved.site.runs[run]->scans.empty(); };
     isThroughSite_ = hasScans(from) && hasScans(to);
-    isOnlySaid_ = solved.pairs(std::min(from, to), std::max(from, to)).alignment.isOnlySaid;
+    isOnlySaid_ = solved.pairs(from, to).alignment.isOnlySaid;
     isPlaceSure_ = areMostSureOf(from, solved.pairs) && areMostSureOf(to, solved.pairs);
     otherPoses_ = otherPoses(from, to, solved.pairs);
     if (isThroughSite_) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/geometry/Transform2D.h"
 
@@ -66,6 +68,17 @@ WallShare wallShare(std::size_t count, const PointAt& pointAt, const WallMap& ma
     share.known += there.isKnown, share.found += there.found(near);
   }
   return share;
+}
+
+/** The same of those walls of a map of whose places in it isChosen(place) is true. */
+template <class IsChosen>
+WallShare shareOfChosen(const WallMap& map, const IsChosen& isChosen, const WallMap& other,
+                        const Transform2D& pose) {
+  std::vector<const WallPoint*> chosen;
+  for (std::size_t k = 0; k < map.walls.size(); ++k)
+    if (isChosen(k)) chosen.push_back(&map.walls[k]);
+  const auto pointAt = [&](std::size_t i) -> const WallPoint& { return *chosen[i]; };
+  return wallShare(chosen.size(), pointAt, other, pose);
 }
 
 }  // namespace roomgraph

@@ -35,6 +35,9 @@ MapPairs pairsInSite(const Site& site, const MapPairs& related, const ForEach& f
 /** What of these is known of run `of` in another run. */
 const FollowedWalls& followedIn(const MapPairs& pairs, std::size_t of, std::size_t in);
 
+/** In how many others a run of these surely lies as it does there. O(others). */
+std::size_t countSure(const MapPairs& pairs, std::size_t run);
+
 /** The bends of these. The better map of two follows the worse one over a part of it only: so the
  *  larger bend of both ways counts. */
 PairBends bendsOf(const MapPairs& pairs);
