@@ -4,8 +4,8 @@
 // in it. All runs of a site are compared; the rooms of the site are laid on the plan by the pose of
 // the run with the least error. A room of the plan is found where one of the site overlaps it by
 // half (intersection over union); one of the site is false where it overlaps none by 0.3. Nothing
-// changes from run to run, so a room that one of them has not, though it looked there, is a mistake
-// of that run's rooms or of how they were matched.
+// changes from run to run, so a room that one of them has not, though it looked there, or a door
+// that it has gained or lost, is a mistake of that run's rooms or of how they were matched.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -26,11 +26,13 @@ constexpr double kIsFound = 0.5, kIsFalse = 0.3;
 
 struct Count {
   int rooms = 0, found = 0, told = 0, wrong = 0, seen = 0, gone = 0, unvisited = 0;
+  int doors = 0, gained = 0, lost = 0;
   double iou = 0;
 
   void add(const Count& other) {
     rooms += other.rooms, found += other.found, told += other.told, wrong += other.wrong;
     seen += other.seen, gone += other.gone, unvisited += other.unvisited, iou += other.iou;
+    doors += other.doors, gained += other.gained, lost += other.lost;
   }
 };
 
@@ -93,7 +95,9 @@ Count countSite(const std::string& folder, const std::vector<SiteRoom>& rooms,
     for (std::size_t label = 1; label < overlaps.labelled.size(); ++label)
       best = std::max(best, overlaps.iou(room, label));
     if (!rooms[room].isCorridor) ++count.told, count.wrong += best < kIsFalse;
+    for (const SiteDoor& door : rooms[room].doors) count.doors += int(door.seenIn.size());
     for (const RoomInRun& run : rooms[room].runs) {
+      count.gained += run.doorsGained, count.lost += run.doorsLost;
       count.seen += run.sighting == RoomSighting::seen;
       count.gone += run.sighting == RoomSighting::gone;
       count.unvisited += run.sighting == RoomSighting::unvisited;
@@ -103,16 +107,18 @@ Count countSite(const std::string& folder, const std::vector<SiteRoom>& rooms,
 }
 
 void print(const std::string& name, const Count& count) {
-  std::printf("| %s | %d | %d | %.1f | %d | %d | %d | %d | %d |\n", name.c_str(), count.rooms,
-              count.found, 100 * count.iou / std::max(1, count.rooms), count.told, count.wrong,
-              count.seen, count.gone, count.unvisited);
+  std::printf("| %s | %d | %d | %.1f | %d | %d |", name.c_str(), count.rooms, count.found,
+              100 * count.iou / std::max(1, count.rooms), count.told, count.wrong);
+  std::printf(" %d | %d | %d | %d | %d | %d |\n", count.seen, count.gone, count.unvisited,
+              count.doors, count.gained, count.lost);
   std::fflush(stdout);
 }
 
 void measure(const std::string& data, const std::string& only) {
   std::printf(
       "| site | rooms of the plan | found | mean IoU | rooms told | false | seen in a run | gone | "
-      "unvisited |\n|---|---|---|---|---|---|---|---|---|\n");
+      "unvisited | doors in a run | gained | lost |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   Count all;
   for (const std::string& folder : simulatedSites(data, only)) {
     const SimulatedSite site = readSite(folder, ".simplemap.gz");

@@ -13,7 +13,8 @@ namespace roomgraph::test {
 /** A door between two areas of a drawing, by their letters. */
 struct DrawnDoor {
   char a, b;
-  Point place;  ///< [m]
+  Point place;             ///< [m]
+  bool isUpright = false;  ///< its ends lie one above the other
 };
 
 constexpr double kDrawnCell = 0.5;  ///< side of what a letter stands for [m]
@@ -49,14 +50,16 @@ inline RunAreas drawnAreas(const std::vector<std::string>& rows,
     idOf[letter] = AreaId(areas.areas.size());
     areas.areas.push_back(area);
   }
-  for (const DrawnDoor& door : doors)
-    areas.passages.push_back({idOf.at(door.a), idOf.at(door.b), door.place - Point{0.5, 0},
-                              door.place + Point{0.5, 0}, 1});
+  for (const DrawnDoor& door : doors) {
+    const Point half = door.isUpright ? Point{0, 0.5} : Point{0.5, 0};
+    areas.passages.push_back(
+        {idOf.at(door.a), idOf.at(door.b), door.place - half, door.place + half, 1});
+  }
   RunAreas run = areasIn(areas, frame);
   run.weight = weight;
   for (std::size_t i = 0; i < frame.cellCount(); ++i) {
     const char letter = letterAt({int(i) % frame.width, int(i) / frame.width});
-    if (letter == '#') run.labels[i] = RunAreas::occupied;
+    if (letter == '#') run.labels[i] = RunAreas::occupied, run.isWall[i] = true;
     if (letter == '.') run.labels[i] = RunAreas::free;
     if (letter == ' ') run.labels[i] = RunAreas::unknown;
   }
@@ -104,7 +107,7 @@ inline const std::vector<std::string>& threeRooms() {
 
 /** The doors of these rooms. */
 inline std::vector<DrawnDoor> threeDoors() {
-  return {{'B', 'd', {8, 5.25}}, {'C', 'd', {7, 2.75}}, {'A', 'B', {4.75, 6.5}}};
+  return {{'B', 'd', {8, 5.25}}, {'C', 'd', {7, 2.75}}, {'A', 'B', {4.75, 6.5}, true}};
 }
 
 }  // namespace roomgraph::test

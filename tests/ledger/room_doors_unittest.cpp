@@ -26,7 +26,7 @@ RunAreas withDoors(const std::vector<DrawnDoor>& doors, double weight = 1) {
   return drawnAreas(threeRooms(), doors, weight);
 }
 
-const DrawnDoor kDown{'B', 'd', {8, 5.25}}, kAside{'A', 'B', {4.75, 6.5}};
+const DrawnDoor kDown{'B', 'd', {8, 5.25}}, kAside{'A', 'B', {4.75, 6.5}, true};
 using Counts = std::vector<int>;
 
 TEST(RoomDoors, areThoseThatTheRunsAgreeOn) {
@@ -35,8 +35,8 @@ TEST(RoomDoors, areThoseThatTheRunsAgreeOn) {
   ASSERT_EQ(doors.doors.size(), 2u);
   for (const RoomDoors::Door& door : doors.doors) {
     EXPECT_TRUE(door.to);
-    EXPECT_DOUBLE_EQ(door.width, 1);
-    EXPECT_TRUE(door.place == kDown.place || door.place == kAside.place);
+    EXPECT_DOUBLE_EQ(door.width(), 1);
+    EXPECT_TRUE(door.place() == kDown.place || door.place() == kAside.place);
   }
   EXPECT_EQ(doors.gained, (Counts{0, 0, 0}));
   EXPECT_EQ(doors.lost, (Counts{0, 0, 0}));
@@ -50,7 +50,7 @@ TEST(RoomDoors, whatOneOfThreeLacksItHasLost) {
   EXPECT_EQ(doors.gained, (Counts{0, 0, 0}));
   using Runs = std::vector<std::size_t>;
   for (const RoomDoors::Door& door : doors.doors) {
-    const bool isAside = door.place == kAside.place;
+    const bool isAside = door.place() == kAside.place;
     EXPECT_EQ(door.seenIn, isAside ? (Runs{0, 2}) : (Runs{0, 1, 2}));
     EXPECT_EQ(door.lostIn, isAside ? (Runs{1}) : (Runs{}));
   }
@@ -61,6 +61,34 @@ TEST(RoomDoors, whatOneOfThreeHasAloneItHasGained) {
   const RoomDoors doors = doorsOfUpperRoom({one, one, withDoors({kDown, kAside})});
   EXPECT_EQ(doors.doors.size(), 1u);
   EXPECT_EQ(doors.gained, (Counts{0, 0, 1}));
+}
+
+/** The upper room's door drawn as a gap in the wall, so that nothing bars it. */
+std::vector<std::string> withGap() {
+  std::vector<std::string> rows = threeRooms();
+  rows[5].replace(15, 2, "..");
+  return rows;
+}
+
+TEST(RoomDoors, whatNoWallBarsIsNotLost) {
+  // The same gap is a door in one run's graph and none in that of another.
+  const RunAreas door = drawnAreas(withGap(), {kDown}), none = drawnAreas(withGap(), {});
+  EXPECT_EQ(doorsOfUpperRoom({door, none, door}).lost, (Counts{0, 0, 0}));
+  EXPECT_EQ(doorsOfUpperRoom({door, none, none}).gained, (Counts{0, 0, 0}));
+  const RunAreas wall = withDoors({});
+  EXPECT_EQ(doorsOfUpperRoom({door, wall, door}).lost, (Counts{0, 1, 0}));
+  EXPECT_EQ(doorsOfUpperRoom({door, wall, wall}).gained, (Counts{1, 0, 0}));
+}
+
+TEST(RoomDoors, aGapAsFarBesideADoorAsMapsBendIsNoWall) {
+  const RunAreas door = withDoors({kDown});
+  const auto lostBy = [&](std::size_t moved) {  // in steps of half a metre, from the edge
+    std::vector<std::string> rows = threeRooms();
+    rows[5].replace(17 + moved, 2, "..");
+    return doorsOfUpperRoom({door, drawnAreas(rows, {}), door}).lost[1];
+  };
+  EXPECT_EQ(lostBy(0), 0);
+  EXPECT_EQ(lostBy(1), 1);
 }
 
 TEST(RoomDoors, weightDecidesNotTheNumberOfRuns) {

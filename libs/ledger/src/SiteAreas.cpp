@@ -71,8 +71,8 @@ void addShapes(const AreaGraph& areas, const std::vector<Transform2D>& poses,
     if (!passage.b) continue;
     const std::size_t a = passage.a.index(), b = passage.b.index();
     if (a >= count || b >= count) continue;
-    run.doors[a].push_back({b, poses[a](passage.middle()), passage.width});
-    run.doors[b].push_back({a, poses[b](passage.middle()), passage.width});
+    run.doors[a].push_back({b, poses[a](passage.from), poses[a](passage.to)});
+    run.doors[b].push_back({a, poses[b](passage.from), poses[b](passage.to)});
   }
 }
 
@@ -93,9 +93,11 @@ void markKnown(const WallMap& map, const RealPlaces& places, const GridFrame& fr
       for (const Point part : parts) {
         const Cell there = frame.cellAt(motion(middle + part));
         if (!frame.contains(there)) continue;
-        std::int8_t& wall = walls[frame.index(there)];
+        const std::size_t cell = frame.index(there);
+        std::int8_t& wall = walls[cell];
         wall = std::int8_t(std::clamp(wall + (state == State::free ? -1 : 1), -100, 100));
-        run.labels[frame.index(there)] = wall < 0 ? RunAreas::free : RunAreas::occupied;
+        run.labels[cell] = wall < 0 ? RunAreas::free : RunAreas::occupied;
+        run.isWall[cell] = wall >= 0;
       }
     }
 }
@@ -145,6 +147,7 @@ SiteAreas siteAreas(const Site& site, const Consensus& consensus, const Trust& t
     RunAreas run;
     run.weight = isTrusted ? std::max(fitted::kLeastWeight, std::sqrt(std::sqrt(trust[i]))) : 1;
     run.labels.assign(result.frame.cellCount(), RunAreas::unknown);
+    run.isWall.assign(result.frame.cellCount(), false);
     markKnown(site.runs[i]->map, places[i], result.frame, run);
     auto& [poses, shapes] = laidDown[i];
     addShapes(site.runs[i]->areas, poses, std::move(shapes), result.frame, run);
@@ -159,6 +162,7 @@ RunAreas areasIn(const AreaGraph& areas, const GridFrame& frame) {
   RunAreas run;
   run.weight = 1;
   run.labels.assign(frame.cellCount(), RunAreas::free);
+  run.isWall.assign(frame.cellCount(), false);
   addShapes(areas, std::vector<Transform2D>(areas.areas.size()),
             mapped(areas.areas, &Area::polygon), frame, run);
   for (SiteShape& shape : run.shapes) shape = sampled(std::move(shape), frame);

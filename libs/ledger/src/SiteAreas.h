@@ -24,8 +24,7 @@ struct SiteShape {
 /** An opening of an area. */
 struct AreaDoor {
   std::size_t to = 0;  ///< the area behind it
-  Point place;         ///< [m, site frame]
-  double width = 0;    ///< [m]
+  Point from, end;     ///< its two ends [m, site frame]
 };
 
 /** The areas of one run, laid down in the site's frame. */
@@ -37,6 +36,7 @@ struct RunAreas {
   std::vector<SiteShape> shapes;             ///< by area
   std::vector<std::vector<AreaDoor>> doors;  ///< of each area
   std::vector<std::uint16_t> labels;         ///< per cell of the frame
+  std::vector<bool> isWall;  ///< per cell; those that bound areas are labelled as these
   bool isOpenTo(std::size_t a, std::size_t b) const;
 };
 

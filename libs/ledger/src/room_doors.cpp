@@ -1,6 +1,7 @@
 #include "room_doors.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "fit_shape.h"
@@ -24,6 +25,30 @@ bool knows(const RunAreas& run, const GridFrame& frame, Point p) {
   for (const Point by : {Point{0, 0}, {near, 0}, {-near, 0}, {0, near}, {0, -near}}) {
     const std::size_t cell = cellIndexAt(frame, p + by);
     if (cell >= run.labels.size() || run.labels[cell] == RunAreas::unknown) return false;
+  }
+  return true;
+}
+
+/** Whether no cell of the line is wall. */
+bool isClear(const RunAreas& run, const GridFrame& frame, Point from, Point to) {
+  const int steps = int(std::ceil(2 * distance(from, to) / frame.resolution));
+  for (int i = 0; i <= steps; ++i) {
+    const std::size_t cell = cellIndexAt(frame, from + (double(i) / steps) * (to - from));
+    if (cell < run.isWall.size() && run.isWall[cell]) return false;
+  }
+  return true;
+}
+
+/** Whether no straight way leads across an opening, within its width or as far beside it as maps
+ *  bend. */
+bool isBarred(const RunAreas& run, const GridFrame& frame, Point from, Point end) {
+  const Point along = (1 / distance(from, end)) * (end - from);
+  const Point across = kSameWhereBent * Point{-along.y, along.x};
+  const Point first = from - kSameWhereBent * along, last = end + kSameWhereBent * along;
+  const int ways = int(std::ceil(2 * distance(first, last) / frame.resolution));
+  for (int i = 0; i <= ways; ++i) {
+    const Point at = first + (double(i) / ways) * (last - first);
+    if (isClear(run, frame, at - across, at + across)) return false;
   }
   return true;
 }
@@ -54,7 +79,7 @@ std::vector<RoomDoors::Door> doorsIn(const RunAreas& run, const ConsensusRooms& 
       if (contains(areas, door.to)) continue;
       const std::optional<std::size_t> to = roomOf(matches, door.to);
       const Transform2D back = moveAt(consensus.rooms, in, room, to).inverse();
-      doors.push_back({back(door.place), door.width, to});
+      doors.push_back({back(door.from), back(door.end), to});
     }
   return doors;
 }
@@ -65,7 +90,7 @@ void join(const std::vector<RoomDoors::Door>& doors, std::size_t run, std::size_
   std::vector<std::tuple<double, std::size_t, std::size_t>> offers;  // distance, door, group
   for (std::size_t d = 0; d < doors.size(); ++d)
     for (std::size_t g = 0; g < groups.size(); ++g) {
-      const double far = distance(doors[d].place, groups[g].door.place);
+      const double far = distance(doors[d].place(), groups[g].door.place());
       const bool isSameTo = doors[d].to && doors[d].to == groups[g].door.to;
       if (far <= (isSameTo ? kWideSearch.reach : fitted::kSameDoor)) offers.emplace_back(far, d, g);
     }
@@ -97,17 +122,23 @@ std::vector<Group> groupsOf(const SiteAreas& site, const ConsensusRooms& consens
   return groups;
 }
 
-/** The runs that have the door, or know its place and do not. */
-std::vector<bool> whoKnows(const Group& group, const SiteAreas& site,
-                           const ConsensusRooms& consensus, std::size_t room,
-                           const std::vector<RoomsInRun>& inRuns) {
-  std::vector<bool> isKnown(site.runs.size());
-  for (std::size_t i = 0; i < isKnown.size(); ++i) {
-    if (!inRuns[i].isClean[room]) continue;
+/** Which runs know the place of a door, and which of them have a wall across it. */
+struct Witnesses {
+  std::vector<bool> know, bar;
+};
+
+Witnesses witnessesOf(const Group& group, const SiteAreas& site, const ConsensusRooms& consensus,
+                      std::size_t room, const std::vector<RoomsInRun>& inRuns) {
+  const std::size_t n = site.runs.size();
+  Witnesses witnesses{group.isIn, std::vector<bool>(n)};
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!inRuns[i].isClean[room] || group.isIn[i]) continue;
     const Transform2D move = moveAt(consensus.rooms, inRuns[i], room, group.door.to);
-    isKnown[i] = group.isIn[i] || knows(site.runs[i], site.frame, move(group.door.place));
+    const Point from = move(group.door.from), end = move(group.door.end);
+    witnesses.know[i] = knows(site.runs[i], site.frame, midpoint(from, end));
+    witnesses.bar[i] = witnesses.know[i] && isBarred(site.runs[i], site.frame, from, end);
   }
-  return isKnown;
+  return witnesses;
 }
 
 double weightOf(const std::vector<bool>& isCounted, const SiteAreas& site) {
@@ -125,13 +156,15 @@ RoomDoors roomDoors(const SiteAreas& site, const ConsensusRooms& consensus, std:
   RoomDoors result;
   result.gained.assign(n, 0), result.lost.assign(n, 0);
   for (const Group& group : groupsOf(site, consensus, room, inRuns)) {
-    const std::vector<bool> isKnown = whoKnows(group, site, consensus, room, inRuns);
-    const bool isDoor = weightOf(group.isIn, site) > 0.5 * weightOf(isKnown, site);
+    const auto [know, bar] = witnessesOf(group, site, consensus, room, inRuns);
+    const double half = 0.5 * weightOf(know, site);
+    const bool isDoor = weightOf(group.isIn, site) > half;
+    const bool isWall = weightOf(bar, site) >= half;
     RoomDoors::Door door = group.door;
     for (std::size_t i = 0; i < n; ++i) {
-      if (!isDoor && group.isIn[i]) ++result.gained[i];
+      if (isWall && group.isIn[i]) ++result.gained[i];
       if (isDoor && group.isIn[i]) door.seenIn.push_back(i);
-      if (isDoor && isKnown[i] && !group.isIn[i]) ++result.lost[i], door.lostIn.push_back(i);
+      if (isDoor && bar[i]) ++result.lost[i], door.lostIn.push_back(i);
     }
     if (isDoor) result.doors.push_back(std::move(door));
   }

@@ -11,11 +11,13 @@ namespace roomgraph {
 /** Of one room: the doors that the runs agree on, and what each run has of them. */
 struct RoomDoors {
   struct Door {
-    Point place;                    ///< [m, site frame], as the room's shape lies
-    double width = 0;               ///< [m]
+    Point from, end;                ///< [m, site frame], as the room's shape lies
     std::optional<std::size_t> to;  ///< the room behind it
-    /** The runs that have it, and those that know its place and do not; of the consensus only. */
+    /** The runs that have it, and those that have a wall there; of the consensus only. */
     std::vector<std::size_t> seenIn{}, lostIn{};
+
+    Point place() const { return midpoint(from, end); }
+    double width() const { return distance(from, end); }
   };
   std::vector<Door> doors;        ///< of the consensus
   std::vector<int> gained, lost;  ///< by run; 0 where the room is not an area of its own
@@ -30,7 +32,9 @@ struct RoomsInRun {
 
 /** Doors of two runs are one where they lead to the same room and are within 1.5 m, or else within
  *  0.8 m, after the move of the room, or of that behind it if that is smaller. A door is of the
- *  consensus where runs of more than half of the weight of those that know the place have it.
+ *  consensus where runs of more than half of the weight of those that know the place have it. A
+ *  run has lost one where it has a wall across it, and gained one where half of the weight has:
+ *  which narrow places are doors differs from run to run, and nothing has changed there.
  *  `inRuns`: by run. */
 RoomDoors roomDoors(const SiteAreas& site, const ConsensusRooms& consensus, std::size_t room,
                     const std::vector<RoomsInRun>& inRuns);

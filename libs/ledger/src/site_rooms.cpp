@@ -220,7 +220,7 @@ std::vector<SiteRoom> siteRooms(const Site& site, const Consensus& agreed, const
   number(rooms);
   for (std::size_t s = 0; s < rooms.size(); ++s) {
     for (const RoomDoors::Door& door : doors[s].doors)
-      rooms[s].doors.push_back({door.place, door.width, door.to ? rooms[*door.to].id : "",
+      rooms[s].doors.push_back({door.place(), door.width(), door.to ? rooms[*door.to].id : "",
                                 namesOf(site, door.seenIn), namesOf(site, door.lostIn)});
     for (std::size_t i = 0; i < site.runs.size(); ++i) rooms[s].runs[i].run = site.runs[i]->name;
   }
