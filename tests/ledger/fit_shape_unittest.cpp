@@ -22,7 +22,7 @@ TEST(Footprint, countsWhatLiesUnderTheRoom) {
   EXPECT_EQ(print.samples, double(room.samples.size()));
   ASSERT_EQ(print.in.size(), 1u);
   EXPECT_NEAR(print.in.at(0) / print.samples, 16.0 / 32, 0.05);
-  EXPECT_NEAR(print.bare / print.samples, 12.0 / 32, 0.05);
+  EXPECT_NEAR(print.free / print.samples, 28.0 / 32, 0.05);
   EXPECT_NEAR(print.known / print.samples, 28.0 / 32, 0.05);
 }
 

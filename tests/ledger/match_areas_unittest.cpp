@@ -68,11 +68,20 @@ TEST(MatchAreas, twoRoomsInOneAreaAreMerged) {
   EXPECT_FALSE(matches[2].isMerged);
 }
 
-TEST(MatchAreas, whatIsFreeAndInNoAreaIsBare) {
+TEST(MatchAreas, freeFloorIsThereThoughInNoArea) {
   const auto matches = matchesIn(drawnAreas(replaced(threeRooms(), "C", '.')));
   EXPECT_FALSE(matches[2].isMatched());
-  EXPECT_DOUBLE_EQ(matches[2].bare, 1);
+  EXPECT_DOUBLE_EQ(matches[2].free, 1);
   EXPECT_DOUBLE_EQ(matches[2].known, 1);
+}
+
+TEST(MatchAreas, freeFloorIsThereThoughInAreasOfOtherShapes) {
+  // The room below and the corridor above it, drawn as upright strips.
+  std::vector<std::string> rows = threeRooms();
+  for (std::size_t y = 6; y < 15; ++y) rows[y] = "##########CCEEFFGGdddd";
+  const auto matches = matchesIn(drawnAreas(rows));
+  EXPECT_FALSE(matches[2].isMatched());
+  EXPECT_GT(matches[2].free, 0.99);
 }
 
 TEST(MatchAreas, whatTheRunHasNotSeenIsUnknown) {
@@ -85,7 +94,7 @@ TEST(MatchAreas, aRoomThatWasWalledUpIsGone) {
   const auto matches = matchesIn(drawnAreas(replaced(threeRooms(), "C", '#')));
   EXPECT_FALSE(matches[2].isMatched());
   EXPECT_DOUBLE_EQ(matches[2].known, 1);
-  EXPECT_EQ(matches[2].bare, 0);
+  EXPECT_EQ(matches[2].free, 0);
 }
 
 TEST(MatchAreas, aRoomThatIsNotThereMovesAsItsNeighbours) {
@@ -169,7 +178,7 @@ TEST(MatchAreas, ofARunWithoutAreasNoneMatches) {
   for (const AreaMatch& match : matches) {
     EXPECT_FALSE(match.isMatched());
     EXPECT_EQ(match.move.shift, (Point{0, 0})) << "there is nobody to follow";
-    EXPECT_DOUBLE_EQ(match.bare, 1);
+    EXPECT_DOUBLE_EQ(match.free, 1);
   }
   const RunAreas run = drawnAreas(threeRooms());
   EXPECT_TRUE(matchAreas({}, {}, frameOf(threeRooms()), run).empty());

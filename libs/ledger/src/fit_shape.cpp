@@ -101,7 +101,7 @@ Footprint footprint(const SiteShape& room, const RoomMove& move, const GridFrame
   Footprint print;
   print.samples = double(room.samples.size());
   print.known = print.samples - counts[RunAreas::unknown];
-  print.bare = counts[RunAreas::free];
+  print.free = print.known - counts[RunAreas::occupied];
   for (const std::uint16_t label : met)
     if (label >= RunAreas::firstArea) print.in[label - RunAreas::firstArea] = counts[label];
   // A room meets few of the areas of a large site.

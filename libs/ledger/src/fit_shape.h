@@ -28,8 +28,8 @@ inline RoomMove moveOf(const Transform2D& whole, Point middle) {
 /** What a run has where a room is laid. */
 struct Footprint {
   double samples = 0;                ///< of the room
-  double bare = 0;                   ///< of those, what is free there, and in no area
   double known = 0;                  ///< of those, what the run has looked at
+  double free = 0;                   ///< of those, what is no wall there
   std::map<std::size_t, double> in;  ///< of those, how many lie in each area
 };
 

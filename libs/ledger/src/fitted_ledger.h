@@ -35,7 +35,6 @@ constexpr double kLeastPower = 0.06;   // of the runs of a left area, in that of
 constexpr double kSameDoor = 0.8;  // one that leads to the same room may lie off as rooms do [m]
 
 // What each run has of a room.
-constexpr double kBare = 0.7;           // share of a room, in no area, that is there all the same
 constexpr double kComplete = 0.8;       // known share from which on its size can be compared
 constexpr double kMinAgreement = 0.45;  // of outlines, below which no shift can be told
 

@@ -150,7 +150,7 @@ class Matching {
     const Footprint print = footprint(rooms_.shapes[s], match.move, frame_, run_);
     if (print.samples == 0) return;
     match.known = print.known / print.samples;
-    match.bare = print.bare / print.samples;
+    match.free = print.free / print.samples;
   }
 
   double sizeOf(std::size_t area) const { return double(run_.shapes[area].size); }

@@ -23,7 +23,7 @@ struct AreaMatch {
   double overlap = 0;              ///< intersection over union with the first area
   bool isMerged = false;           ///< the area holds another room, too
   double known = 0;                ///< share of the room that the run has looked at
-  double bare = 0;                 ///< share of the room that is free there, and in no area
+  double free = 0;                 ///< share of the room that it has looked at, and is no wall
 
   bool isMatched() const { return !areas.empty(); }
 };

@@ -117,10 +117,10 @@ class Ledger {
   RoomInRun inRun(std::size_t run) const {
     const AreaMatch& match = matchIn(run);
     RoomInRun result;
-    if (match.isMatched() || match.bare >= fitted::kBare)
+    if (match.isMatched())
       result.sighting = RoomSighting::seen;
     else if (match.known >= kMajority)
-      result.sighting = RoomSighting::gone;
+      result.sighting = match.free > 0.5 * match.known ? RoomSighting::seen : RoomSighting::gone;
     result.pieces = int(match.areas.size());
     result.isMerged = match.isMerged;
     if (const auto area = areaIn(run)) result.areaChange = *area / areaMedian() - 1;

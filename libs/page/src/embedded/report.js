@@ -572,7 +572,7 @@
   function stateText(room) {
     const parts = [sightings[room.sighting]];
     if (room.pieces > 1) parts.push("in " + room.pieces + " pieces");
-    if (room.sighting === "seen" && room.pieces === 0) parts.push("but no way leads to it");
+    if (room.sighting === "seen" && room.pieces === 0) parts.push("but as no area of its own");
     if (room.merged) parts.push("merged with another");
     return parts.join(", ");
   }

@@ -11,9 +11,9 @@ namespace roomgraph {
 
 /** Whether a run knows a room of the site. */
 enum class RoomSighting {
-  seen,       ///< one of its areas is this room, or (without pieces) its space is there, but in no
-              ///< area, as nothing leads to it
-  gone,       ///< it has looked there, and no area of it is this room
+  seen,       ///< one of its areas is this room, or (without pieces) its floor is there, but drawn
+              ///< as other areas or as none
+  gone,       ///< it has looked there, and there is no floor
   unvisited,  ///< it has not looked there
 };
 
