@@ -13,10 +13,10 @@
 namespace roomgraph {
 namespace {
 
-/** A door and who has it. */
+/** A door, and by run: who has it, who knows its place, and who has a wall across it. */
 struct Group {
   RoomDoors::Door door;
-  std::vector<bool> isIn;
+  std::vector<bool> isIn, isKnown{}, isBarred{};
 };
 
 /** Whether a run knows all round a place, as far as maps bend. */
@@ -122,23 +122,18 @@ std::vector<Group> groupsOf(const SiteAreas& site, const ConsensusRooms& consens
   return groups;
 }
 
-/** Which runs know the place of a door, and which of them have a wall across it. */
-struct Witnesses {
-  std::vector<bool> know, bar;
-};
-
-Witnesses witnessesOf(const Group& group, const SiteAreas& site, const ConsensusRooms& consensus,
-                      std::size_t room, const std::vector<RoomsInRun>& inRuns) {
-  const std::size_t n = site.runs.size();
-  Witnesses witnesses{group.isIn, std::vector<bool>(n)};
-  for (std::size_t i = 0; i < n; ++i) {
+/** What the runs that do not have the door say of its place. */
+void askOthers(Group& group, const SiteAreas& site, const ConsensusRooms& consensus,
+               std::size_t room, const std::vector<RoomsInRun>& inRuns) {
+  group.isKnown = group.isIn;
+  group.isBarred.resize(group.isIn.size());
+  for (std::size_t i = 0; i < group.isIn.size(); ++i) {
     if (!inRuns[i].isClean[room] || group.isIn[i]) continue;
     const Transform2D move = moveAt(consensus.rooms, inRuns[i], room, group.door.to);
     const Point from = move(group.door.from), end = move(group.door.end);
-    witnesses.know[i] = knows(site.runs[i], site.frame, midpoint(from, end));
-    witnesses.bar[i] = witnesses.know[i] && isBarred(site.runs[i], site.frame, from, end);
+    group.isKnown[i] = knows(site.runs[i], site.frame, midpoint(from, end));
+    group.isBarred[i] = group.isKnown[i] && isBarred(site.runs[i], site.frame, from, end);
   }
-  return witnesses;
 }
 
 double weightOf(const std::vector<bool>& isCounted, const SiteAreas& site) {
@@ -155,16 +150,16 @@ RoomDoors roomDoors(const SiteAreas& site, const ConsensusRooms& consensus, std:
   const std::size_t n = site.runs.size();
   RoomDoors result;
   result.gained.assign(n, 0), result.lost.assign(n, 0);
-  for (const Group& group : groupsOf(site, consensus, room, inRuns)) {
-    const auto [know, bar] = witnessesOf(group, site, consensus, room, inRuns);
-    const double half = 0.5 * weightOf(know, site);
+  for (Group& group : groupsOf(site, consensus, room, inRuns)) {
+    askOthers(group, site, consensus, room, inRuns);
+    const double half = 0.5 * weightOf(group.isKnown, site);
     const bool isDoor = weightOf(group.isIn, site) > half;
-    const bool isWall = weightOf(bar, site) >= half;
+    const bool isWall = weightOf(group.isBarred, site) >= half;
     RoomDoors::Door door = group.door;
     for (std::size_t i = 0; i < n; ++i) {
       if (isWall && group.isIn[i]) ++result.gained[i];
       if (isDoor && group.isIn[i]) door.seenIn.push_back(i);
-      if (isDoor && bar[i]) ++result.lost[i], door.lostIn.push_back(i);
+      if (isDoor && group.isBarred[i]) ++result.lost[i], door.lostIn.push_back(i);
     }
     if (isDoor) result.doors.push_back(std::move(door));
   }
