@@ -74,18 +74,16 @@ TEST(RoomsOf, areThoseThatTheRunWasAskedFor) {
   EXPECT_TRUE(roomsOf(stranger, comparison).empty());
 }
 
-TEST(RoomsOf, doorsAreThoseOfTheSiteWithWhatTheRunHasMoreOrLess) {
+TEST(RoomsOf, doorsAreThoseThatTheRunHas) {
   Comparison comparison = test::night("s", "anna", 1, 0.2).comparison;
-  const auto doorsWith = [&](std::size_t doors, int gained, int lost) {
-    comparison.rooms = {test::squareRoom("R1", {0, 0}, {"1"}, doors)};
-    comparison.rooms[0].runs[0].doorsGained = gained;
-    comparison.rooms[0].runs[0].doorsLost = lost;
-    return roomsOf(comparison.runs[0], comparison)[0].doors;
-  };
-  EXPECT_EQ(doorsWith(2, 0, 0), 2);
-  EXPECT_EQ(doorsWith(2, 1, 0), 3);
-  EXPECT_EQ(doorsWith(2, 0, 2), 0);
-  EXPECT_EQ(doorsWith(1, 0, 2), 0) << "never less than none";
+  comparison.rooms = {test::squareRoom("R1", {0, 0}, {"1"}, 2)};
+  SiteRoom& room = comparison.rooms[0];
+  const auto doors = [&] { return roomsOf(comparison.runs[0], comparison)[0].doors; };
+  EXPECT_EQ(doors(), 2);
+  room.runs[0].doorsGained = 1;
+  EXPECT_EQ(doors(), 3) << "of its own";
+  room.doors[0].seenIn = {"2", "3"};
+  EXPECT_EQ(doors(), 2) << "one that others have";
 }
 
 TEST(RoomsOf, ofARoomThatIsNotMeasuredThereIsNoArea) {

@@ -33,7 +33,7 @@ SiteRoom squareRoom(const std::string& id, Point corner, const std::vector<std::
                         {corner.x + 4, corner.y + 4},
                         {corner.x, corner.y + 4}};
   for (std::size_t i = 0; i < doors; ++i)
-    room.doors.push_back({{corner.x + 2, corner.y + (i % 2 == 0 ? 0 : 4)}, 0.9, ""});
+    room.doors.push_back({{corner.x + 2, corner.y + (i % 2 == 0 ? 0 : 4)}, 0.9, "", seenBy});
   for (const std::string& run : seenBy) {
     RoomInRun in;
     in.run = run, in.sighting = RoomSighting::seen, in.pieces = 1, in.areaChange = 0.01;

@@ -57,6 +57,18 @@ TEST(WhereIs, tellsTheAreaAndTheNearestWayInIt) {
   EXPECT_FALSE(whereIs(site.graph, site.areas, {15, 15}).area) << "in no area";
 }
 
+TEST(WhereIs, fromAClosedAreaNoWayLeads) {
+  Site site = threeRooms();
+  site.areas.areas.push_back({RoomId(4), box(12, 16), {}, 2, {}});
+  EXPECT_EQ(whereIs(site.graph, site.areas, {14, 2}).area, AreaId(4));
+  EXPECT_FALSE(whereIs(site.graph, site.areas, {14, 2}).edge);
+  EXPECT_FALSE(route(site, {2, 2}, {14, 2}));
+  site.areas.passages.push_back({AreaId(4), AreaId::none(), {16, 1.5}, {16, 2.5}, 1});
+  EXPECT_FALSE(whereIs(site.graph, site.areas, {14, 2}).edge) << "beams go out of a window";
+  site.areas.passages.push_back({AreaId(2), AreaId(4), {12, 1.5}, {12, 2.5}, 1});
+  EXPECT_TRUE(route(site, {2, 2}, {14, 2})) << "a nook without ways of its own";
+}
+
 TEST(WhereIs, doesNotTakeAWayBehindAWall) {
   Site site = threeRooms();
   site.areas.areas[1].polygon = box(4.5, 8);

@@ -5,6 +5,7 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/file_name.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {
@@ -31,6 +32,13 @@ void addScore(std::vector<Measure>& figures, const RunScore& score) {
                                  figure("contradicted", score.contradicted, "1", score),
                                  figure("shared_walls", score.share, "1", score),
                                  figure("trust", score.trust, "1", score)});
+}
+
+/** Doors of the site that a run has: not those that it may have, as then a door beside furniture
+ *  that most runs come to see would change all later runs at once. */
+int doorsSeen(const SiteRoom& room, const std::string& run) {
+  return int(std::count_if(room.doors.begin(), room.doors.end(),
+                           [&](const SiteDoor& door) { return contains(door.seenIn, run); }));
 }
 
 }  // namespace
@@ -68,7 +76,7 @@ std::vector<RoomSeen> roomsOf(const ComparedRun& run, const Comparison& comparis
       RoomSeen seen;
       seen.room = room.id, seen.sighting = in.sighting;
       seen.pieces = in.pieces, seen.isMerged = in.isMerged;
-      seen.doors = std::max(0, int(room.doors.size()) + in.doorsGained - in.doorsLost);
+      seen.doors = in.doorsGained + doorsSeen(room, run.name);
       if (in.areaChange) seen.area = room.area * (1 + *in.areaChange);
       seen.shift = in.shift, seen.boundaryAgreement = in.boundaryAgreement;
       rooms.push_back(seen);

@@ -15,6 +15,13 @@ AreaId areaAt(const AreaGraph& areas, Point place) {
   return AreaId::none();
 }
 
+/** Whether an area is closed all round, but for windows. */
+bool isClosed(const AreaGraph& areas, AreaId area) {
+  return std::none_of(areas.passages.begin(), areas.passages.end(), [&](const Passage& passage) {
+    return passage.b && (passage.a == area || passage.b == area);
+  });
+}
+
 std::vector<EdgeId> allEdges(const TopologyGraph& graph) {
   std::vector<EdgeId> edges;
   for (std::size_t e = 0; e < graph.edges().size(); ++e) edges.push_back(EdgeId(e));
@@ -65,6 +72,7 @@ Whereabouts whereIs(const RoomGraph& graph, const AreaGraph& areas, Point place)
   Whereabouts best;
   best.area = areaAt(areas, place);
   best.place = best.on = place;
+  const bool staysInside = best.area && isClosed(areas, best.area);
   std::pair<bool, double> least{true, std::numeric_limits<double>::infinity()};
   for (std::size_t e = 0; e < graph.graph.edges().size(); ++e) {
     const Polyline& points = graph.graph.edges()[e].path.points;
@@ -74,7 +82,8 @@ Whereabouts whereIs(const RoomGraph& graph, const AreaGraph& areas, Point place)
       const double off = distance(point, place);
       if (off < least.second || least.first) {
         const bool isElsewhere = best.area && areaAt(areas, point) != best.area;
-        if (std::pair(isElsewhere, off) < least) {
+        const bool isBehindWall = isElsewhere && staysInside;
+        if (!isBehindWall && std::pair(isElsewhere, off) < least) {
           least = {isElsewhere, off};
           best.edge = EdgeId(e), best.along = along + distance(points[i], point), best.on = point;
         }

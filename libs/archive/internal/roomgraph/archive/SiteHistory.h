@@ -22,7 +22,7 @@ struct RoomSeen {
   RoomSighting sighting = RoomSighting::unvisited;
   int pieces = 0;
   bool isMerged = false;
-  int doors = 0;                                   ///< of the room in this run
+  int doors = 0;                                   ///< of the room that the run has
   std::optional<double> area;                      ///< of the room in this run [m2]
   std::optional<double> shift, boundaryAgreement;  ///< as in RoomInRun
 };

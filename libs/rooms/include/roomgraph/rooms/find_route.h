@@ -15,13 +15,14 @@ namespace roomgraph {
 struct Whereabouts {
   Point place;       ///< that was asked [m, map frame]
   AreaId area;       ///< that holds it; none for what is in none
-  EdgeId edge;       ///< the way next to it; none where the graph has no edge
+  EdgeId edge;       ///< the way next to it; none where none leads there
   double along = 0;  ///< from the source of that way to its place nearest to the asked one [m]
   Point on;          ///< that place; the asked one where there is no way
 };
 
 /** In which area a place is, and which way is next to it: of those that run through its area, where
- *  there are any, the one with the place nearest to it. O(corners + path points). */
+ *  there are any, the one with the place nearest to it; else of those elsewhere, unless the area is
+ *  closed all round. O(corners + passages + path points). */
 [[nodiscard]] Whereabouts whereIs(const RoomGraph& graph, const AreaGraph& areas, Point place);
 
 /** A shortest way along the graph, and straight to it and from it. */
