@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "drawn_areas.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph::test {
 namespace {
@@ -78,6 +79,21 @@ TEST(RoomDoors, whatNoWallBarsIsNotLost) {
   const RunAreas wall = withDoors({});
   EXPECT_EQ(doorsOfUpperRoom({door, wall, door}).lost, (Counts{0, 1, 0}));
   EXPECT_EQ(doorsOfUpperRoom({door, wall, wall}).gained, (Counts{1, 0, 0}));
+}
+
+TEST(RoomDoors, aDoorThatIsShutIsLostThoughNobodyHasSeenBehindIt) {
+  std::vector<std::string> rows = withGap();
+  for (std::size_t y = 1; y < 5; ++y) rows[y].replace(11, 10, std::string(10, ' '));
+  rows[5] = threeRooms()[5];
+  const RunAreas open = drawnAreas(withGap(), {kDown});
+  const SiteAreas site{frameOf(rows), {open, drawnAreas(rows, {}), open}};
+  const ConsensusRooms consensus = consensusRooms(site, oneByOne);
+  std::size_t corridor = 0;
+  while (!consensus.rooms.shapes[corridor].isCorridor) ++corridor;
+  std::vector<RoomsInRun> inRuns;
+  for (const auto& matches : consensus.matches)
+    inRuns.push_back({std::vector<bool>(matches.size(), true), mapped(matches, &AreaMatch::move)});
+  EXPECT_EQ(roomDoors(site, consensus, corridor, inRuns).lost, (Counts{0, 1, 0}));
 }
 
 TEST(RoomDoors, aGapAsFarBesideADoorAsMapsBendIsNoWall) {

@@ -13,7 +13,7 @@
 namespace roomgraph {
 namespace {
 
-/** A door, and by run: who has it, who knows its place, and who has a wall across it. */
+/** A door, and by run: who has it, who knows all round its place, and who has a wall across it. */
 struct Group {
   RoomDoors::Door door;
   std::vector<bool> isIn, isKnown{}, isBarred{};
@@ -39,12 +39,11 @@ bool isClear(const RunAreas& run, const GridFrame& frame, Point from, Point to) 
   return true;
 }
 
-/** Whether no straight way leads across an opening, within its width or as far beside it as maps
- *  bend. */
-bool isBarred(const RunAreas& run, const GridFrame& frame, Point from, Point end) {
+/** Whether no straight way leads across an opening, within its width or so far beside it [m]. */
+bool isBarred(const RunAreas& run, const GridFrame& frame, Point from, Point end, double beside) {
   const Point along = (1 / distance(from, end)) * (end - from);
   const Point across = kSameWhereBent * Point{-along.y, along.x};
-  const Point first = from - kSameWhereBent * along, last = end + kSameWhereBent * along;
+  const Point first = from - beside * along, last = end + beside * along;
   const int ways = int(std::ceil(2 * distance(first, last) / frame.resolution));
   for (int i = 0; i <= ways; ++i) {
     const Point at = first + (double(i) / ways) * (last - first);
@@ -132,14 +131,18 @@ void askOthers(Group& group, const SiteAreas& site, const ConsensusRooms& consen
     const Transform2D move = moveAt(consensus.rooms, inRuns[i], room, group.door.to);
     const Point from = move(group.door.from), end = move(group.door.end);
     group.isKnown[i] = knows(site.runs[i], site.frame, midpoint(from, end));
-    group.isBarred[i] = group.isKnown[i] && isBarred(site.runs[i], site.frame, from, end);
+    // Seen from one side, as a door that is shut, it may only have been drawn elsewhere.
+    const double beside = group.isKnown[i] ? kSameWhereBent : kWideSearch.reach;
+    group.isBarred[i] = isBarred(site.runs[i], site.frame, from, end, beside);
   }
 }
 
-double weightOf(const std::vector<bool>& isCounted, const SiteAreas& site) {
+/** Of the runs that are counted. */
+template <class IsCounted>
+double weightOf(const SiteAreas& site, const IsCounted& isCounted) {
   double sum = 0;
-  for (std::size_t i = 0; i < isCounted.size(); ++i)
-    if (isCounted[i]) sum += site.runs[i].weight;
+  for (std::size_t i = 0; i < site.runs.size(); ++i)
+    if (isCounted(i)) sum += site.runs[i].weight;
   return sum;
 }
 
@@ -152,14 +155,16 @@ RoomDoors roomDoors(const SiteAreas& site, const ConsensusRooms& consensus, std:
   result.gained.assign(n, 0), result.lost.assign(n, 0);
   for (Group& group : groupsOf(site, consensus, room, inRuns)) {
     askOthers(group, site, consensus, room, inRuns);
-    const double half = 0.5 * weightOf(group.isKnown, site);
-    const bool isDoor = weightOf(group.isIn, site) > half;
-    const bool isWall = weightOf(group.isBarred, site) >= half;
-    RoomDoors::Door door = group.door;
+    const auto& [own, isIn, isKnown, isBarred] = group;
+    const double half = 0.5 * weightOf(site, [&](std::size_t i) { return isKnown[i]; });
+    const bool isDoor = weightOf(site, [&](std::size_t i) { return isIn[i]; }) > half;
+    const bool isWall =
+        weightOf(site, [&](std::size_t i) { return isKnown[i] && isBarred[i]; }) >= half;
+    RoomDoors::Door door = own;
     for (std::size_t i = 0; i < n; ++i) {
-      if (isWall && group.isIn[i]) ++result.gained[i];
-      if (isDoor && group.isIn[i]) door.seenIn.push_back(i);
-      if (isDoor && group.isBarred[i]) ++result.lost[i], door.lostIn.push_back(i);
+      if (isWall && isIn[i]) ++result.gained[i];
+      if (isDoor && isIn[i]) door.seenIn.push_back(i);
+      if (isDoor && isBarred[i]) ++result.lost[i], door.lostIn.push_back(i);
     }
     if (isDoor) result.doors.push_back(std::move(door));
   }

@@ -33,8 +33,9 @@ struct RoomsInRun {
 /** Doors of two runs are one where they lead to the same room and are within 1.5 m, or else within
  *  0.8 m, after the move of the room, or of that behind it if that is smaller. A door is of the
  *  consensus where runs of more than half of the weight of those that know the place have it. A
- *  run has lost one where it has a wall across it, and gained one where half of the weight has:
- *  which narrow places are doors differs from run to run, and nothing has changed there.
+ *  run has lost one where it has a wall across it, though it has not seen the other side, as of one
+ *  that is shut; and gained one where half of the weight has a wall and knows both sides. Which
+ *  narrow places are doors differs from run to run, and nothing has changed there.
  *  `inRuns`: by run. */
 RoomDoors roomDoors(const SiteAreas& site, const ConsensusRooms& consensus, std::size_t room,
                     const std::vector<RoomsInRun>& inRuns);
