@@ -306,6 +306,9 @@ TEST(Gate, wallsMustBeThereAndNoneThatOthersHaveNotAndAsThick) {
   for (ComparedRun& run : sound.runs) run.measures[1].value = 0, run.measures[1].place.reset();
   EXPECT_EQ(gateVerdict(sound, options).margins,
             Lines{"b: lacks 1 % of the walls that two others have, no more than 15 %"});
+  Comparison planned = withWalls(0, 0, 5);  // a plan, with its walls filled
+  planned.reference = "a";
+  EXPECT_TRUE(gateVerdict(planned, options).isPassed());
   Comparison little = withWalls(0.3, 0.4, 0.8);
   for (Measure& measure : little.runs[0].measures) measure.isMeaningful = false;
   EXPECT_TRUE(gateVerdict(little, options).isPassed()) << "nobody can tell";

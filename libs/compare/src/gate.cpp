@@ -167,15 +167,17 @@ class Judge {
     judgeSharpness(run);
   }
 
-  /** Thinned to dots, or drawn thicker: the edge of free space tells, by how the others have it. */
+  /** Thinned to dots, or drawn thicker: the edge of free space tells, by how the others have it, but
+   *  for the reference, which may be a plan with walls that no robot looks into. */
   void judgeSharpness(const ComparedRun& run) {
     const auto sharpness = [](const ComparedRun& of) {
       return trustedValueOf(of.measures, "wall_sharpness");
     };
     std::vector<double> others;
-    for (const ComparedRun& other : comparison_.runs)
-      if (const auto value = sharpness(other); value && other.name != run.name)
-        others.push_back(*value);
+    for (const ComparedRun& other : comparison_.runs) {
+      if (other.name == run.name || other.name == comparison_.reference) continue;
+      if (const auto value = sharpness(other)) others.push_back(*value);
+    }
     const auto own = sharpness(run);
     if (!own || others.size() < kFewestOthers) return;
     const std::string fault = sharpnessFault(*own, median(others));
