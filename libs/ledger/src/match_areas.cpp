@@ -6,6 +6,7 @@
 
 #include "fitted_ledger.h"
 #include "roomgraph/align/near_poses.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {
@@ -129,11 +130,7 @@ class Matching {
       return best;
     };
     std::optional<std::size_t> guide = nearest(rooms_.neighbours[s]);
-    if (!guide) {
-      std::vector<std::size_t> all(fits_.size());
-      for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-      guide = nearest(all);
-    }
+    if (!guide) guide = nearest(numbersFrom(0, fits_.size()));
     if (!guide) return {};
     return moveOf(fitOf(*guide)->move.about(rooms_.shapes[*guide].middle), middle);
   }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "roomgraph/base/sequences.h"
+
 namespace roomgraph {
 
 RoomIndex::Bucket RoomIndex::Buckets::at(Point p) const {
@@ -101,8 +103,7 @@ std::vector<RoomIndex::Opening> RoomIndex::openingsNear(Point p, Point q) const 
     if (it == openingBuckets_.lists.end()) return;
     found.insert(found.end(), it->second.begin(), it->second.end());
   });
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  sortUnique(found);
   std::vector<Opening> openings;
   for (const auto i : found) openings.push_back(openings_[i]);
   return openings;

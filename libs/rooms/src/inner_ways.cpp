@@ -6,6 +6,7 @@
 #include "join_leftovers.h"
 #include "place_on_paths.h"
 #include "roomgraph/base/UnionFind.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/topology/dead_ends.h"
 
 namespace roomgraph {
@@ -39,11 +40,9 @@ TopologyGraph partOf(const TopologyGraph& graph, const std::vector<EdgeId>& edge
 /** Without what is too narrow, but still in one piece: the widest ways hold it together. */
 TopologyGraph wideWays(TopologyGraph graph, double minClearance) {
   const std::size_t count = graph.edges().size();
-  std::vector<std::size_t> order(count);
-  for (std::size_t e = 0; e < count; ++e) order[e] = e;
+  std::vector<std::size_t> order = numbersFrom(0, count);
   const auto clearance = [&](std::size_t e) { return graph.edges()[e].path.minClearance; };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return clearance(a) > clearance(b); });
+  sortDownBy(order, clearance);
   UnionFind groups(graph.vertices().size());
   std::vector<bool> keepEdge(count);
   for (const std::size_t e : order) {
