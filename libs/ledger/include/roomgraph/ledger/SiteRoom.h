@@ -32,6 +32,7 @@ struct RoomInRun {
   std::optional<double> areaChange;         ///< share, 0.1 for 10 % larger
   std::optional<double> boundaryAgreement;  ///< share of its outline that others draw, too
   std::optional<double> lengthError;        ///< of a corridor, end to end; longer: positive [m]
+  /** Its doors where others have a wall, and those of the consensus where it has one. */
   int doorsGained = 0, doorsLost = 0;
 };
 
@@ -40,8 +41,7 @@ struct SiteDoor {
   Point place;       ///< [m, site frame]
   double width = 0;  ///< [m]
   std::string to;    ///< id of the room behind it; empty for none
-  /** Names of the runs that have it, and of those that know its place and do not;
-   *  by name. */
+  /** Names of the runs that have it, and of those that have a wall across it; by name. */
   std::vector<std::string> seenIn{}, lostIn{};
 };
 
