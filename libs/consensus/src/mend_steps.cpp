@@ -154,6 +154,19 @@ class Mender {
     return second;
   }
 
+  /** The pose that fits best, or one near to where it was drawn, `as`, that fits about as well:
+   *  runs slip more often than they tear. */
+  static Transform2D nearerOne(const std::vector<ScanFit>& found, const ScanFit& best,
+                               const ScanFit& drawn, const Transform2D& as) {
+    const double least = drawn.score + kRivalScore * (best.score - drawn.score);
+    const ScanFit* nearer = nullptr;
+    for (const ScanFit& fit : found)
+      if (fit.score >= least && areNear(fit.pose, as, {}, fitted::kSlipped) &&
+          (!nearer || fit.score > nearer->score))
+        nearer = &fit;
+    return nearer ? nearer->pose : best.pose;
+  }
+
   StepEvidence judge(std::size_t k) {
     const StepView view = sides_.view(k, result_.poses);
     const ScanFit drawn = sides_.weighed(k, view, asDrawn(view.after, ahead_, result_.poses[k]));
@@ -188,7 +201,8 @@ class Mender {
     // Where a scan shows what none before it has seen, nothing speaks against the step, however
     // well it fits elsewhere: buildings repeat themselves.
     const bool isTear = drawn.known >= fitted::kMaySpeak && refutes(fitted::kTear, drawn, *best);
-    if (isSlip || isImpossible || isTear) return mendTo(k, best->pose);
+    if (isTear) return mendTo(k, nearerOne(found, *best, drawn, result_.poses[k]));
+    if (isSlip || isImpossible) return mendTo(k, best->pose);
     return unmended;
   }
 
