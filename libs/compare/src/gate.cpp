@@ -167,8 +167,8 @@ class Judge {
     judgeSharpness(run);
   }
 
-  /** Thinned to dots, or drawn thicker: the edge of free space tells, by how the others have it; not
-   *  by a reference, which may be a plan with walls that no robot looks into. */
+  /** Thinned to dots, or drawn thicker: the edge of free space tells, by how the others have it;
+   *  not by a reference, which may be a plan with walls that no robot looks into. */
   void judgeSharpness(const ComparedRun& run) {
     const auto sharpness = [](const ComparedRun& of) {
       return trustedValueOf(of.measures, "wall_sharpness");
