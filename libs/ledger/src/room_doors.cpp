@@ -155,16 +155,16 @@ RoomDoors roomDoors(const SiteAreas& site, const ConsensusRooms& consensus, std:
   result.gained.assign(n, 0), result.lost.assign(n, 0);
   for (Group& group : groupsOf(site, consensus, room, inRuns)) {
     askOthers(group, site, consensus, room, inRuns);
-    const auto& [own, isIn, isKnown, isBarred] = group;
-    const double half = 0.5 * weightOf(site, [&](std::size_t i) { return isKnown[i]; });
-    const bool isDoor = weightOf(site, [&](std::size_t i) { return isIn[i]; }) > half;
-    const bool isWall =
-        weightOf(site, [&](std::size_t i) { return isKnown[i] && isBarred[i]; }) >= half;
-    RoomDoors::Door door = own;
+    const double half = 0.5 * weightOf(site, [&](std::size_t i) { return group.isKnown[i]; });
+    const bool isDoor = weightOf(site, [&](std::size_t i) { return group.isIn[i]; }) > half;
+    const bool isWall = weightOf(site, [&](std::size_t i) {
+                          return group.isKnown[i] && group.isBarred[i];
+                        }) >= half;
+    RoomDoors::Door door = group.door;
     for (std::size_t i = 0; i < n; ++i) {
-      if (isWall && isIn[i]) ++result.gained[i];
-      if (isDoor && isIn[i]) door.seenIn.push_back(i);
-      if (isDoor && isBarred[i]) ++result.lost[i], door.lostIn.push_back(i);
+      if (isWall && group.isIn[i]) ++result.gained[i];
+      if (isDoor && group.isIn[i]) door.seenIn.push_back(i);
+      if (isDoor && group.isBarred[i]) ++result.lost[i], door.lostIn.push_back(i);
     }
     if (isDoor) result.doors.push_back(std::move(door));
   }
