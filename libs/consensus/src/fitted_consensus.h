@@ -30,7 +30,8 @@ struct Contradiction {
 };
 constexpr Contradiction kSlip{kLeastQuality, 0.52, 15}, kClearSlip{0.35, 0.42, 35},
     kTear{0.15, 0.4, 40};
-constexpr double kMaySpeak = 0.12;  // share of a scan's walls, where earlier ones have looked
+// Share of a scan's walls, where the others of a step have looked, that can speak against it.
+constexpr double kMaySpeak = 0.12;
 // Of one scan in what those behind it have drawn, where that shows a slip: how much better it fits
 // there than as it was drawn.
 constexpr double kClearerBehind = 0.25, kGainBehind = 8;

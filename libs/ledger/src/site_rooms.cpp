@@ -120,7 +120,8 @@ class Ledger {
     if (match.isMatched())
       result.sighting = RoomSighting::seen;
     else if (match.known >= kMajority)
-      result.sighting = match.free > 0.5 * match.known ? RoomSighting::seen : RoomSighting::gone;
+      result.sighting =
+          match.free > kMajority * match.known ? RoomSighting::seen : RoomSighting::gone;
     result.pieces = int(match.areas.size());
     result.isMerged = match.isMerged;
     if (const auto area = areaIn(run)) result.areaChange = *area / areaMedian() - 1;
