@@ -42,11 +42,6 @@ one_line err "is a graph" "give the map that it is of"
 expect 2 "$view" "$maps/office.yaml" --stage 17 --screenshot none.png
 one_line err --stage
 
-# The README has the help as it is.
-expect 0 "$view" --help
-sed -n '/^<!-- help -->/,/^<!-- end -->/p' "$source_dir/apps/roomgraph-view/README.md" |
-  grep -v '^<!--\|^```' | diff -B - out || fail "apps/roomgraph-view/README.md has another help"
-
 expect 2 "$view" "$maps/office_run1.simplemap.gz" --break 1 --screenshot none.png
 one_line err --break
 grep -q "there is none" err || fail "a sound run has no break"
