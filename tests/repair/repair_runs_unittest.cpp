@@ -82,6 +82,16 @@ TEST(RepairRuns, aRunThatFitsInTwoWaysStaysAsItWas) {
   EXPECT_FALSE(fitsInTwoWays(error));
 }
 
+TEST(RepairRuns, aRunThatAloneHasSeenAWingIsTrustedWhereThatCannotBeFarOff) {
+  MapError error;
+  error.seen = 0.3, error.high = 0.3;
+  EXPECT_TRUE(isTrusted(error));
+  error.high = 0.5;
+  EXPECT_FALSE(isTrusted(error));
+  error.seen = 0.6;
+  EXPECT_TRUE(isTrusted(error));
+}
+
 TEST(RepairRuns, aRunThatWouldFitNoBetterStaysAsItWas) {
   const test::SolvedDrives site({test::drifting(test::drive(1), 0.01), test::drive(2)}, 1);
   RealPoses wrong = site.real;

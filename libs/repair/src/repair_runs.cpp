@@ -195,7 +195,9 @@ void tellCovariances(const Consensus& consensus, std::vector<RepairedRun>& all) 
 
 }  // namespace
 
-bool isTrusted(const MapError& error) { return error.seen >= kMajority; }
+bool isTrusted(const MapError& error) {
+  return error.seen >= kMajority || error.high < kBreakShift;
+}
 
 bool fitsInTwoWays(const MapError& error) {
   return error.error >= kBreakShift && error.low * fitted::kTwoWays < error.error;
