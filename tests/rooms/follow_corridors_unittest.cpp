@@ -34,6 +34,13 @@ TEST(FollowCorridors, itGoesOnThroughAStretchBehindDoors) {
   EXPECT_EQ(split(stretch(12, 5)).roomCount, 0u);
 }
 
+TEST(FollowCorridors, aDoorInItsVeryMiddlePartsItThroughAThickWall) {
+  // 2 m wide, 12 m long on each side of a wall of 0.4 m; the frame belongs to neither half.
+  const Plan plan = Plan(122, 10).wall(61, 1, 2, 10);
+  EXPECT_EQ(split(Plan(plan).gap(61, 4, 2, 5)).count, 2u);
+  EXPECT_EQ(split(Plan(plan).gap(61, 2, 2, 8)).count, 1u);
+}
+
 TEST(FollowCorridors, aLobbyStandsOut) {
   EXPECT_EQ(split(stretch(18, 6)).roomCount, 1u) << "twice as wide";
   EXPECT_EQ(split(stretch(12, 3)).roomCount, 1u) << "doors as narrow as those of rooms";

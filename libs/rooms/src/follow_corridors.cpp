@@ -32,9 +32,30 @@ bool isDoorOfPieces(const RegionGroups& regions, double clearance, std::uint32_t
                 regions.options().corridorDoor);
 }
 
+double narrower(const RegionGroups::Neighbours& two) {
+  return std::min(two[0].second.clearance, two[1].second.clearance);
+}
+
+/** What is left over in the one door between two equal pieces would join both: it goes with one.
+ *  Two such ways lead round an island, as a shelf in a hall. */
+void joinDoorFrames(RegionGroups& regions, const std::vector<RegionKind>& kinds) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> frames;
+  const auto isCorridor = [&](std::uint32_t r) { return kinds[r] == RegionKind::corridor; };
+  for (const auto& [region, around] : regions.neighbours()) {
+    if (around.size() != 2 || !isLeftover(regions, region, around)) continue;
+    const std::uint32_t a = around[0].first, b = around[1].first;
+    if (isCorridor(region) && isCorridor(a) && isCorridor(b) &&
+        isDoorOfPieces(regions, narrower(around), a, b))
+      frames[{a, b}].push_back(region);
+  }
+  for (const auto& [pieces, between] : frames)
+    if (between.size() == 1) regions.join(between.front(), pieces.first);
+}
+
 /** A corridor is narrower at doors that open into it: those do not part it. What has no other way
  *  out than an opening in its side is no piece of it. */
 void joinPieces(RegionGroups& regions, const std::vector<RegionKind>& kinds) {
+  joinDoorFrames(regions, kinds);
   const RegionGroups::AllNeighbours all = regions.neighbours();
   std::vector<std::uint8_t> mayBeOne(kinds.size());
   for (const auto& [region, around] : all)
@@ -106,10 +127,6 @@ class Chains {
     int count = 0;
     double area = 0, radius = 0;  // of all of it, and of its largest disc
   };
-
-  static double narrower(const RegionGroups::Neighbours& two) {
-    return std::min(two[0].second.clearance, two[1].second.clearance);
-  }
 
   /** Without a door between pieces of corridor, and about as wide: a crossing is a square. */
   bool areLinked(std::uint32_t a, std::uint32_t b, double clearance) const {

@@ -10,15 +10,6 @@ using Neighbours = RegionGroups::Neighbours;
 /** Sums of areas that differ by less than this share are equal. */
 constexpr double kSameArea = 1e-6;
 
-bool isLeftover(const RegionGroups& regions, std::uint32_t region, const Neighbours& around) {
-  if (regions.area(region) < regions.options().maxLeftoverArea) return true;
-  // A door frame is wider than it is deep; the disc in a room leaves at most its corners over. That
-  // in a cubicle may reach out of its front.
-  const auto isOwnFront = [](const auto& way) { return way.second.isOwnFront; };
-  return regions.elongation(region) < regions.options().minElongation &&
-         std::none_of(around.begin(), around.end(), isOwnFront);
-}
-
 /** The one wider neighbour that a region opens into with nearly its whole width; none where there
  *  are several, or where it is long. What comes back to it is short. */
 std::uint32_t openTo(const RegionGroups& regions, std::uint32_t region, const Neighbours& around) {
@@ -91,6 +82,15 @@ bool joinAll(RegionGroups& regions, const IsOne& isOne) {
 }
 
 }  // namespace
+
+bool isLeftover(const RegionGroups& regions, std::uint32_t region, const Neighbours& around) {
+  if (regions.area(region) < regions.options().maxLeftoverArea) return true;
+  // A door frame is wider than it is deep; the disc in a room leaves at most its corners over. That
+  // in a cubicle may reach out of its front.
+  const auto isOwnFront = [](const auto& way) { return way.second.isOwnFront; };
+  return regions.elongation(region) < regions.options().minElongation &&
+         std::none_of(around.begin(), around.end(), isOwnFront);
+}
 
 void joinLeftovers(RegionGroups& regions) {
   const auto isSmall = [&](std::uint32_t region, const Neighbours& around) {

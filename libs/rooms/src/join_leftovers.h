@@ -9,6 +9,10 @@ namespace roomgraph {
 /** A niche is a way where it is deeper than this [squares round its largest disc]. */
 constexpr double kDeepestAlcove = 2.5;
 
+/** Whether a region with these neighbours is too small for an area of its own. Needs areas. */
+bool isLeftover(const RegionGroups& regions, std::uint32_t region,
+                const RegionGroups::Neighbours& around);
+
 /** Joins what is too small for an area of its own with a neighbour each. Needs areas. */
 void joinLeftovers(RegionGroups& regions);
 
