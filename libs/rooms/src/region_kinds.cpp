@@ -136,13 +136,13 @@ bool isWayThrough(const RegionGroups& regions, std::uint32_t region, const Neigh
   return count > 1 && 2 * regions.radius(region) * (1 + kSameWidth) < regions.options().maxWidth;
 }
 
-/** Whether it is too narrow for a room, also beside the rest of the map; or narrow, and not closed
+/** Whether it is too narrow for a room; or narrow, and not closed
  *  by walls and doors; or a way through; or long with two ways out, or far longer than a room with
  *  one. `own` is its own width. */
 bool isCorridor(const RegionGroups& regions, std::uint32_t region, const Neighbours& around,
-                double own, double leastWidth) {
+                double own) {
   const double width = 2 * regions.radius(region) * (1 + kSameWidth);
-  if (width < leastWidth) return true;
+  if (width < regions.options().minRoomWidth) return true;
   const Neighbours exits = seenOnes(regions, around);
   const bool isClosed =
       isSeenEnough(regions, region, exits) && isBehindDoors(regions, region, around, exits);
@@ -167,7 +167,6 @@ class KindFinder {
         kinds_(regions.isInside().size(), RegionKind::corridor) {}
 
   std::vector<RegionKind> run() {
-    leastWidth_ = leastWidth();
     findCompactRooms();
     regions_.eachRegion([&](std::uint32_t region) { kinds_[region] = kindOf(region); });
     return std::move(kinds_);
@@ -179,19 +178,6 @@ class KindFinder {
     const auto it = std::lower_bound(around_.begin(), around_.end(), region,
                                      [](const auto& l, std::uint32_t r) { return l.first < r; });
     return it == around_.end() || it->first != region ? kNobody : it->second;
-  }
-
-  /** Of a room: nooks of a hall may be as wide as the small rooms of a home. */
-  double leastWidth() {
-    std::vector<WeightedValue> spaces;  // widths, by area
-    regions_.eachRegion([&](std::uint32_t region) {
-      if (!hasLittleWall(regions_, region))
-        spaces.push_back({2 * regions_.radius(region), regions_.area(region)});
-    });
-    const double median = lowerWeightedMedian(std::move(spaces)).value_or(0);
-    return std::max(
-        regions_.options().minRoomWidth,
-        std::min(regions_.options().minRoomRatio * median, regions_.options().openRoomWidth));
   }
 
   /** Of those that are wide enough, and would be corridor for their length. */
@@ -206,7 +192,7 @@ class KindFinder {
 
   bool isLongBehindDoors(std::uint32_t region) const {
     const double width = widths_[region];
-    return 2 * regions_.radius(region) * (1 + kSameWidth) >= leastWidth_ &&
+    return 2 * regions_.radius(region) * (1 + kSameWidth) >= regions_.options().minRoomWidth &&
            regions_.area(region) > regions_.options().maxElongation * width * width &&
            regions_.wallShare(region) >= regions_.options().minClosedShare &&
            isBehindNarrowDoors(regions_, region, around(region));
@@ -215,7 +201,7 @@ class KindFinder {
   RegionKind kindOf(std::uint32_t region) const {
     if (hasLittleWall(regions_, region)) return RegionKind::halfSeen;
     if (compact_.count(region) > 0) return RegionKind::room;
-    return isCorridor(regions_, region, around(region), widths_[region], leastWidth_)
+    return isCorridor(regions_, region, around(region), widths_[region])
                ? RegionKind::corridor
                : RegionKind::room;
   }
@@ -223,7 +209,6 @@ class KindFinder {
   RegionGroups& regions_;
   const std::vector<double>& widths_;
   const RegionGroups::AllNeighbours around_;
-  double leastWidth_ = 0;            // of a room [m]
   std::set<std::uint32_t> compact_;  // rooms, however long
   std::vector<RegionKind> kinds_;
 };

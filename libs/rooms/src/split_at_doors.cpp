@@ -150,9 +150,6 @@ void describe(SplitAtDoorsOptions& options, FieldTable& table) {
                "leftover.");
   table.number(section, "min_room_width", options.minRoomWidth, "m", 0, 100,
                "A region in which no disc of this diameter fits is no room.");
-  table.number(section, "min_room_ratio", options.minRoomRatio, "", 0, 1,
-               "A region narrower than this share of the map's median width is not a room; this "
-               "limit is at most open_room_width.");
   table.number(section, "open_room_width", options.openRoomWidth, "m", 0, 100,
                "A narrower region is a room only if all ways out of it are doors.");
   table.number(section, "min_wall_share", options.minWallShare, "", 0, 1,

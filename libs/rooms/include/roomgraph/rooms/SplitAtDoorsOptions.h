@@ -13,8 +13,7 @@ struct SplitAtDoorsOptions {
   double maxLeftoverArea = 1.1;   ///< a region with less joins a neighbour [m2]
   double minElongation = 0.75;    ///< a region that is shorter joins a neighbour
   double minRoomWidth = 0.9;      ///< of the largest disc in a room [m]
-  double minRoomRatio = 0.2;      ///< the same, as a share of the median width of the map's space
-  double openRoomWidth = 1.95;    ///< of the same in a room with a way out that is no door [m]
+  double openRoomWidth = 1.95;    ///< the same of a room with a way out that is no door [m]
   double minWallShare = 0.4;      ///< of a region that is not half seen, beside the map's
   double minClosedShare = 0.7;    ///< the same of a room that is narrower than openRoomWidth
   double maxElongation = 3.5;     ///< of a room; what is longer is a corridor
