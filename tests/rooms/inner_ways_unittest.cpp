@@ -88,5 +88,34 @@ TEST(WithRoomVertex, takesAJunctionThatLiesThere) {
   EXPECT_EQ(countOf(ways, VertexKind::room), 1u);
 }
 
+/** From the middle of a room on to where the ways to two doors part, and a stub behind it. */
+TopologyGraph forkWithAStub() {
+  return {{vertexOf({6, 0}, 1, VertexKind::junction), vertexOf({8, 2}, 0.5, VertexKind::border),
+           vertexOf({8, -2}, 0.5, VertexKind::border), vertexOf({-2, 0}, 1, VertexKind::deadEnd)},
+          {edgeOf(0, 1, straight({{6, 0}, {8, 2}}, 0.5)),
+           edgeOf(0, 2, straight({{6, 0}, {8, -2}}, 0.5)),
+           edgeOf(3, 0, straight({{-2, 0}, {0, 0}, {6, 0}}, 1))}};
+}
+
+TEST(InnerTree, hasAJunctionWhereTheWaysToTwoDoorsPart) {
+  const TopologyGraph graph = forkWithAStub();
+  const TopologyGraph tree = innerTree(graph, allEdges(graph), {0, 1}, 0.5);
+  ASSERT_EQ(tree.vertices().size(), 4u);
+  EXPECT_EQ(tree.vertices()[0].place, (Point{8, 2})) << "border vertices come first";
+  EXPECT_EQ(tree.vertices()[1].place, (Point{8, -2}));
+  EXPECT_EQ(countOf(tree, VertexKind::junction), 1u);
+  ASSERT_EQ(countOf(tree, VertexKind::room), 1u);
+  EXPECT_EQ(tree.edges().size(), 3u) << "the stub behind the middle goes";
+  for (const Vertex& vertex : tree.vertices())
+    if (vertex.kind == VertexKind::room) EXPECT_EQ(vertex.place, (Point{0, 0}));
+}
+
+TEST(InnerTree, ofALoopKeepsTheWiderWay) {
+  const TopologyGraph graph = roundAShelf(0.27);
+  const TopologyGraph tree = innerTree(graph, allEdges(graph), {9, 3}, 0.5);
+  EXPECT_EQ(tree.edges().size(), 2u);
+  for (const Edge& edge : tree.edges()) EXPECT_GE(edge.path.minClearance, 0.5);
+}
+
 }  // namespace
 }  // namespace roomgraph::test

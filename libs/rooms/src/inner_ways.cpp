@@ -1,6 +1,7 @@
 #include "roomgraph/rooms/inner_ways.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "join_leftovers.h"
@@ -90,6 +91,16 @@ TopologyGraph withRoomVertex(TopologyGraph ways, Point center, double minClearan
   const VertexId middle = splitAt(vertices, parts, place, VertexKind::room);
   vertices[middle.index()].kind = VertexKind::room;
   return {std::move(vertices), std::move(parts)};
+}
+
+TopologyGraph innerTree(const TopologyGraph& graph, const std::vector<EdgeId>& edges, Point center,
+                        double minClearance) {
+  TopologyGraph tree = wideWays(partOf(graph, edges), HUGE_VAL);
+  return removeDeadEndsWhere(withRoomVertex(std::move(tree), center, minClearance),
+                             [](const Vertex& tip, const Vertex&, const Path&) {
+                               return tip.kind != VertexKind::border &&
+                                      tip.kind != VertexKind::room;
+                             });
 }
 
 }  // namespace roomgraph

@@ -4,7 +4,6 @@
 
 #include "place_on_paths.h"
 #include "roomgraph/rooms/hall_ways.h"
-#include "roomgraph/rooms/inner_paths.h"
 #include "roomgraph/rooms/inner_ways.h"
 #include "straight_ways.h"
 
@@ -41,9 +40,15 @@ std::vector<RoomParts> collectParts(const TopologyGraph& graph, std::size_t room
   return parts;
 }
 
-/** The paths from the middle of a room to its border vertices as a graph, with those first. */
-TopologyGraph starOf(const TopologyGraph& graph, const std::vector<VertexId>& borders,
-                     InnerPaths star) {
+/** The straight ways from one place in a room to its border vertices. */
+struct Star {
+  Point center;
+  double clearance = 0;     // there [m]
+  std::vector<Path> paths;  // in the order of the border vertices
+};
+
+/** The same as a graph, with those first. */
+TopologyGraph graphOf(const TopologyGraph& graph, const std::vector<VertexId>& borders, Star star) {
   std::vector<Vertex> vertices;
   std::vector<Edge> edges;
   const VertexId middle(borders.size());
@@ -71,32 +76,27 @@ class RoomBuilder {
 
  private:
   TopologyGraph waysOf(const Room& room, const RoomParts& parts) const {
-    if (!options_.straightEdges && !parts.innerEdges.empty()) {
+    const Point middle = centroid(room.polygon);
+    const bool followsPaths = !options_.straightEdges && !parts.innerEdges.empty();
+    if (followsPaths) {
       TopologyGraph ways =
           innerWays(graph_, parts.innerEdges, options_.robotWidth, obstacles_.cellSide() / 2);
       if (!ways.edges().empty())
-        return withRoomVertex(std::move(ways), centroid(room.polygon), leastClearance(room));
+        return withRoomVertex(std::move(ways), middle, leastClearance(room));
     }
-    return starOf(graph_, parts.borderVertices, star(room, parts));
+    Star star = straightStar(room, parts, middle);
+    if (!options_.straightEdges && !isClear(room, star)) {
+      if (followsPaths) return innerTree(graph_, parts.innerEdges, middle, leastClearance(room));
+      star = straightStar(room, parts, graph_.vertex(parts.widest).place);
+    }
+    return graphOf(graph_, parts.borderVertices, std::move(star));
   }
 
   /** Half as wide as the room gets: not in a door, nor in a corner. */
   static double leastClearance(const Room& room) { return room.inscribedRadius / 2; }
 
-  InnerPaths star(const Room& room, const RoomParts& parts) const {
-    InnerPaths star = straightPaths(room, parts, centroid(room.polygon));
-    if (options_.straightEdges) return star;
-    if (sideOf(room.polygon, star.center) == Side::inside && star.clearance >= clearance_ &&
-        isClear(room, star))
-      return star;
-    if (!parts.innerEdges.empty())
-      return innerPaths(graph_, parts.innerEdges, parts.borderVertices, star.center,
-                        leastClearance(room));
-    return straightPaths(room, parts, graph_.vertex(parts.widest).place);
-  }
-
-  InnerPaths straightPaths(const Room& room, const RoomParts& parts, Point center) const {
-    InnerPaths star;
+  Star straightStar(const Room& room, const RoomParts& parts, Point center) const {
+    Star star;
     star.center = center;
     star.clearance = obstacles_.clearance(center, center, room.inscribedRadius);
     for (const VertexId v : parts.borderVertices)
@@ -112,8 +112,10 @@ class RoomBuilder {
            !leavesRoom(index, path.points.front(), path.points.back(), tolerance);
   }
 
-  /** Whether each of its straight paths is clear. */
-  bool isClear(const Room& room, const InnerPaths& star) const {
+  /** Whether it lies in the room, and each of its paths is clear. */
+  bool isClear(const Room& room, const Star& star) const {
+    if (sideOf(room.polygon, star.center) != Side::inside || star.clearance < clearance_)
+      return false;
     const RoomIndex index({room}, clearance_);
     return std::all_of(star.paths.begin(), star.paths.end(),
                        [&](const Path& path) { return isClear(index, path); });

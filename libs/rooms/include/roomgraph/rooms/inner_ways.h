@@ -27,4 +27,11 @@ namespace roomgraph {
  *  `minClearance` [m], or with any where there is none; no border vertex. */
 [[nodiscard]] TopologyGraph withRoomVertex(TopologyGraph ways, Point center, double minClearance);
 
+/** The ways from such a vertex to the border vertices of a room without innerWays, along its
+ *  `edges`, as a tree: where two part there is a junction, so that no route has to turn back in the
+ *  middle. Loops are cut where they are narrowest. The border vertices come first, in their order.
+ *  `edges` must be connected. O(n log n). */
+[[nodiscard]] TopologyGraph innerTree(const TopologyGraph& graph, const std::vector<EdgeId>& edges,
+                                      Point center, double minClearance);
+
 }  // namespace roomgraph
