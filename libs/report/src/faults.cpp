@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/breaks/frames_at_break.h"
 #include "roomgraph/relate/Run.h"
 #include "roomgraph/report/run_check_json.h"
@@ -29,11 +30,10 @@ Fault faultAt(const MapBreak& tear, const Path& path) {
 
 /** The scans beside the one at which a stretch is shown. */
 KeyFrames framesOf(const DrawnStretch& stretch, const std::vector<CheckedPose>& path) {
-  const auto found = std::find_if(path.begin(), path.end(), [&](const CheckedPose& pose) {
-    return pose.keyFrame >= stretch.keyFrame;
-  });
-  if (found == path.end()) return {};
-  const auto scan = std::size_t(found - path.begin());
+  const CheckedPose* found =
+      findIf(path, [&](const CheckedPose& pose) { return pose.keyFrame >= stretch.keyFrame; });
+  if (!found) return {};
+  const auto scan = std::size_t(found - path.data());
   return {path[scan - std::min(scan, kFramesAtBreak)].keyFrame,
           path[std::min(path.size() - 1, scan + kFramesAtBreak)].keyFrame};
 }
