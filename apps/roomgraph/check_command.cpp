@@ -7,7 +7,6 @@
 #include "more_files.h"
 #include "option_arguments.h"
 #include "output_names.h"
-#include "roomgraph/base/Error.h"
 #include "roomgraph/base/sequences.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/check/check_run.h"

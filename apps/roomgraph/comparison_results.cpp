@@ -7,7 +7,6 @@
 #include "commands.h"
 #include "option_arguments.h"
 #include "output_formats.h"
-#include "roomgraph/base/Error.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"

@@ -1,6 +1,5 @@
 #include "output_formats.h"
 
-#include <iterator>
 #include <sstream>
 
 #include "roomgraph/base/Error.h"

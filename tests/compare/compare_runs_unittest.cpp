@@ -15,7 +15,6 @@
 #include "roomgraph/compare/prepare_run.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/measures/measure_kinds.h"
-#include "roomgraph/relate/relate_runs.h"
 #include "roomgraph/report/comparison_csv.h"
 #include "roomgraph/report/comparison_json.h"
 #include "schemas.h"
