@@ -1,6 +1,5 @@
 #include "file_authors.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -11,6 +10,7 @@
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/compressed.h"
 #include "roomgraph/base/file_name.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/images/png_bytes.h"
 #include "roomgraph/map_files/map_formats.h"
@@ -109,8 +109,7 @@ bool isMapOrArchive(const std::string& file) {
   return orNothing([&] {
     CheckedFile opened(file);
     const std::vector<MapFormat>& formats = mapFormats();
-    return std::any_of(formats.begin(), formats.end(),
-                       [&](const MapFormat& format) { return format.looksLike(opened); });
+    return anyOf(formats, [&](const MapFormat& format) { return format.looksLike(opened); });
   });
 }
 

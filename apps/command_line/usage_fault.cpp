@@ -1,6 +1,5 @@
 #include "usage_fault.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <regex>
 
@@ -67,11 +66,9 @@ std::string usageFault(const CLI::App& app, const std::vector<std::string>& argu
       toSkip = toSkip > 0 ? toSkip - 1 : 0;
       continue;
     }
-    const auto found = std::find_if(commands.begin(), commands.end(), [&](const CLI::App* known) {
-      return known->get_name() == argument;
-    });
-    if (found == commands.end())
-      return noSuch("command", argument, mapped(commands, &CLI::App::get_name));
+    const auto found =
+        findIf(commands, [&](const CLI::App* known) { return known->get_name() == argument; });
+    if (!found) return noSuch("command", argument, mapped(commands, &CLI::App::get_name));
     command = *found, toSkip = filesOf(*command);
   }
   return plainText(error);

@@ -7,6 +7,7 @@
 
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/mrpt_plugin/draw_comparison.h"
 
@@ -92,12 +93,10 @@ void ViewPanel::addLayers(nanogui::Widget& panel, const std::vector<std::string>
   const auto& runs = view_.comparison.runs;
   for (const std::string& layer : layers) {
     const std::string caption = captionOf(nameOfLayer(layer));
-    const auto run = std::find_if(runs.begin(), runs.end(), [&](const ComparedRun& one) {
-      return runLayer(one.name) == layer;
-    });
-    auto* box = run == runs.end()
-                    ? new nanogui::CheckBox(host, caption)
-                    : new RunBox(host, caption, runColour(std::size_t(run - runs.begin())));
+    const ComparedRun* run =
+        findIf(runs, [&](const ComparedRun& one) { return runLayer(one.name) == layer; });
+    auto* box = run ? new RunBox(host, caption, runColour(std::size_t(run - runs.data())))
+                    : new nanogui::CheckBox(host, caption);
     box->setCallback([this, layer](bool) {
       showOrHide(layer, state_);
       calls_.refresh();

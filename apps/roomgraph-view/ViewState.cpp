@@ -4,6 +4,7 @@
 
 #include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/align/refine_alignment.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/drawing/stage_names.h"
 
 namespace roomgraph {
@@ -141,9 +142,8 @@ void lookAtFault(std::size_t number, const View& view, ViewState& state) {
 
 std::size_t placeInPath(const View& view, std::size_t run, std::size_t keyFrame) {
   const auto& path = view.path(run);
-  const auto found = std::find_if(path.begin(), path.end(),
-                                  [&](const PathPose& at) { return at.keyFrame >= keyFrame; });
-  return found == path.end() ? 0 : std::size_t(found - path.begin());
+  const PathPose* found = findIf(path, [&](const PathPose& at) { return at.keyFrame >= keyFrame; });
+  return found ? std::size_t(found - path.data()) : 0;
 }
 
 std::optional<std::size_t> otherRun(const View& view, const ViewState& state) {

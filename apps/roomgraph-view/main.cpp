@@ -2,7 +2,6 @@
 #include <mrpt/opengl/CFBORender.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -13,6 +12,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/printable.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/version.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/drawing/stage_names.h"
@@ -68,9 +68,8 @@ ViewState stateOf(const Arguments& arguments, const View& view) {
 
 std::string wordsFor(const std::vector<std::string>& files) {
   if (files.size() == 1) return "Reading " + printable(fileName(files[0]));
-  const bool isCompared = std::any_of(files.begin(), files.end(), [](const std::string& file) {
-    return fs::path(file).extension() == ".json";
-  });
+  const bool isCompared =
+      anyOf(files, [](const std::string& file) { return fs::path(file).extension() == ".json"; });
   return (isCompared ? "Reading " : "Reading and comparing ") + std::to_string(files.size()) +
          " files";
 }

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "merge_site.h"
-#include "option_arguments.h"
 #include "roomgraph/archive/Archive.h"
 #include "roomgraph/archive/add_run.h"
 #include "roomgraph/archive/watch_site.h"

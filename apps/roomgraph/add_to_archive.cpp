@@ -157,15 +157,8 @@ int addToArchive(const ArchiveArguments& arguments) {
   options.compare.compare.kept = cache.kept();
   std::set<std::string> missing;
   options.onMissing = [&](const HistoryRun& run) { missing.insert(run.file); };
-  int exitCode = kDone;
-  for (const std::string& file : arguments.files) {
-    try {
-      addOne(archive, file, options, arguments);
-    } catch (const DataError& error) {
-      printError(error.what());
-      exitCode = kBadData;
-    }
-  }
+  const int exitCode = doEach(
+      arguments.files, [&](const std::string& file) { addOne(archive, file, options, arguments); });
   if (!missing.empty()) printError(missingText(missing));
   if (!cache.failure().empty()) printError(cache.failure());
   return exitCode;

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -8,7 +7,7 @@
 #include "more_files.h"
 #include "option_arguments.h"
 #include "output_names.h"
-#include "roomgraph/base/Error.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/check/check_run.h"
 #include "roomgraph/compare/compare_maps.h"
@@ -124,8 +123,7 @@ int run(const CheckArguments& arguments) {
   if (!arguments.junit.empty()) writeFileAtomically(arguments.junit, gateJunit(checks, unread));
   if (!arguments.summary.empty())
     writeFileAtomically(arguments.summary, gateMarkdown(checks, unread));
-  const bool fails = std::any_of(checks.begin(), checks.end(),
-                                 [](const RunCheck& check) { return !check.complaints.empty(); });
+  const bool fails = anyOf(checks, [](const RunCheck& check) { return !check.complaints.empty(); });
   return fails ? kGateFailed : exitCode;
 }
 

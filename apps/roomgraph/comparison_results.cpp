@@ -1,6 +1,5 @@
 #include "comparison_results.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <utility>
@@ -8,7 +7,6 @@
 #include "commands.h"
 #include "option_arguments.h"
 #include "output_formats.h"
-#include "roomgraph/base/Error.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
@@ -194,10 +192,9 @@ int exitCodeOf(const Comparison& comparison, const GateOptions& gate) {
   const bool gateFails = comparison.gate && !comparison.gate->isPassed();
   if (gateFails)
     for (const std::string& line : comparison.gate->complaints) printError(line);
-  const bool isCompared = std::any_of(comparison.runs.begin(), comparison.runs.end(),
-                                      [](const ComparedRun& run) { return run.score.has_value(); });
-  const bool areSeveralSites = std::any_of(comparison.leftOut.begin(), comparison.leftOut.end(),
-                                           [](const LeftOutRun& run) { return run.isOtherSite; });
+  const bool isCompared =
+      anyOf(comparison.runs, [](const ComparedRun& run) { return run.score.has_value(); });
+  const bool areSeveralSites = anyOf(comparison.leftOut, &LeftOutRun::isOtherSite);
   const bool isAskedForSites = gate.failsOnOtherSites && areSeveralSites;
   if (gateFails && (isCompared || isAskedForSites)) return kGateFailed;
   if (isCompared) return kDone;

@@ -6,7 +6,6 @@
 
 #include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/compare/gate.h"
-#include "roomgraph/grid/LoadGridOptions.h"
 #include "roomgraph/relate/Run.h"
 
 namespace roomgraph {

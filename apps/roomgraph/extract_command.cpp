@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -12,6 +11,7 @@
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/drawing/draw_stages.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/map_files/map_formats.h"
@@ -64,7 +64,7 @@ std::string verboseLine(const std::string& mapFile, const Stages& stages) {
 /** Whether maps of this kind are made of scans, by which their quality can be estimated. */
 bool isMadeOfScans(const std::string& kind) {
   const std::vector<MapFormat>& formats = mapFormats();
-  return std::any_of(formats.begin(), formats.end(), [&](const MapFormat& format) {
+  return anyOf(formats, [&](const MapFormat& format) {
     return format.kind == kind && format.readRecording;
   });
 }
@@ -192,8 +192,7 @@ std::vector<RoomId> keptOutRooms(const ExtractArguments& arguments,
                        "option for more");
     rooms.emplace_back(number);
   }
-  if (!rooms.empty() &&
-      std::none_of(formats.begin(), formats.end(), [](const OutputFormat& format) {
+  if (!rooms.empty() && !anyOf(formats, [](const OutputFormat& format) {
         return format.name == std::string("keepout");
       }))
     throw UsageError("extract: --keep-out is for the format keepout: add it to --format");

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -8,6 +7,7 @@
 #include "HelpFormatter.h"
 #include "commands.h"
 #include "roomgraph/base/StagedFiles.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/version.h"
 #include "terminal.h"
 #include "usage_fault.h"
@@ -69,8 +69,7 @@ std::vector<std::string> wordsOf(int count, char** arguments) {
   if (words.empty() || words.front() != "help") return words;
   words.erase(words.begin());
   const auto isCalled = [&](const Command& command) { return command.name == words.front(); };
-  if (words.empty() || std::any_of(std::begin(kCommands), std::end(kCommands), isCalled))
-    words.emplace_back("--help");
+  if (words.empty() || anyOf(kCommands, isCalled)) words.emplace_back("--help");
   return words;
 }
 

@@ -1,7 +1,5 @@
 #include "output_formats.h"
 
-#include <algorithm>
-#include <iterator>
 #include <sstream>
 
 #include "roomgraph/base/Error.h"
@@ -123,8 +121,7 @@ std::string defaultFormats() {
 std::vector<OutputFormat> parseFormats(const std::string& list) {
   std::vector<OutputFormat> formats;
   for (const std::string& name : chosenFormats(list, allFormats()))
-    formats.push_back(*std::find_if(std::begin(kFormats), std::end(kFormats),
-                                    [&](const OutputFormat& f) { return f.name == name; }));
+    formats.push_back(*findIf(kFormats, [&](const OutputFormat& f) { return f.name == name; }));
   return formats;
 }
 

@@ -6,7 +6,6 @@
 #include "commands.h"
 #include "comparison_results.h"
 #include "option_arguments.h"
-#include "roomgraph/base/Error.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/compare/compare_maps.h"

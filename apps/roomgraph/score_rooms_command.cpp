@@ -1,10 +1,10 @@
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <set>
 
 #include "commands.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/evaluation/score_rooms.h"
 #include "roomgraph/images/read_labels.h"
 #include "terminal.h"
@@ -23,7 +23,7 @@ constexpr std::uint32_t kFree = 254, kUnknown = 205;  // as ROS saves maps
 
 /** Only what is free, unknown and wall in a map, which nobody takes for labels. */
 bool areOfMap(const Greys& greys) {
-  return greys.count(kFree) > 0 && std::all_of(greys.begin(), greys.end(), [](std::uint32_t grey) {
+  return greys.count(kFree) > 0 && allOf(greys, [](std::uint32_t grey) {
            return grey == 0 || grey == kFree || grey == kUnknown;
          });
 }
@@ -50,7 +50,7 @@ int run(const ScoreArguments& arguments) {
   const LabelMap labels = readLabels(arguments.labels), truth = readLabels(arguments.truth);
   refuseMap(labels, truth);
   refuseMap(truth, labels);
-  if (std::all_of(truth.label.begin(), truth.label.end(), [](std::uint32_t l) { return l == 0; }))
+  if (allOf(truth.label, [](std::uint32_t l) { return l == 0; }))
     throw DataError(truth.source.file + ": has no room: all of it is black");
   const RoomScore score = scoreRooms(labels, truth);
   print(arguments.isJson ? roomScoreJson(score) : roomScoreText(score));

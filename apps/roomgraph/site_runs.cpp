@@ -1,6 +1,5 @@
 #include "site_runs.h"
 
-#include <algorithm>
 #include <memory>
 
 #include "roomgraph/align/alignment_confidence.h"
@@ -26,8 +25,8 @@ void leaveOutCopies(ReadRuns& read) {
       const auto place = std::size_t(&other - runs.data());
       return (place < i || read.reference == place) && other.sha256 == runs[i].sha256;
     };
-    const auto original = std::find_if(runs.begin(), runs.end(), isOriginal);
-    if (original == runs.end() || read.reference == i) continue;
+    const Run* original = findIf(runs, isOriginal);
+    if (!original || read.reference == i) continue;
     if (runs[i].file != original->file)
       printError(runs[i].file + ": is a copy of " + original->file + ": left out");
     if (read.reference && *read.reference > i) --*read.reference;

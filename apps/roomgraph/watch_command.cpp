@@ -2,7 +2,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <memory>
@@ -16,6 +15,7 @@
 #include "roomgraph/archive/export_history.h"
 #include "roomgraph/archive/watch_site.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/report/PairFolder.h"
 #include "terminal.h"
 
@@ -80,10 +80,8 @@ std::optional<std::string> lineOf(const std::string& file, const WatchArguments&
     // Of this map, though later ones be known: clocks of robots err.
     const SiteHistory then = historyUpTo(archive.history(options.site), added.sha256);
     const SiteWatch site = watchSite(then, arguments.adding.watch);
-    const auto robot =
-        std::find_if(site.robots.begin(), site.robots.end(),
-                     [&](const RobotWatch& one) { return one.robot == options.robot; });
-    return addedRunJson(file, added, robot == site.robots.end() ? nullptr : &*robot);
+    const auto isOfRobot = [&](const RobotWatch& one) { return one.robot == options.robot; };
+    return addedRunJson(file, added, findIf(site.robots, isOfRobot));
   } catch (const DataError& error) {
     // A fault of the archive is none of the map: a watch that is started anew adds it.
     const std::string text = error.what();

@@ -7,7 +7,6 @@
 
 #include "TestFolder.h"
 #include "refusal.h"
-#include "sample_nights.h"
 
 namespace roomgraph {
 namespace {

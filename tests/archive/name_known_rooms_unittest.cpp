@@ -17,10 +17,15 @@ std::vector<std::string> idsOf(const Comparison& comparison) {
   return ids;
 }
 
-TEST(NameKnownRooms, aRoomOfOneRunIsNotRememberedOneOfTwoIs) {
+/** What is known after a first comparison of three runs. */
+struct NameKnownRooms : testing::Test {
   SiteFile ledger;
   Comparison first = test::night("s", "a", 1, 0.1, {"2", "3"}).comparison;
-  nameKnownRooms(first, ledger, "a.db");
+
+  NameKnownRooms() { nameKnownRooms(first, ledger, "a.db"); }
+};
+
+TEST_F(NameKnownRooms, aRoomOfOneRunIsNotRememberedOneOfTwoIs) {
   ASSERT_EQ(ledger.rooms.size(), 3U);
 
   Comparison torn = test::night("s", "a", 4, 0.1, {"2", "3"}).comparison;
@@ -35,27 +40,21 @@ TEST(NameKnownRooms, aRoomOfOneRunIsNotRememberedOneOfTwoIs) {
   EXPECT_EQ(ledger.rooms.size(), 4U);
 }
 
-TEST(NameKnownRooms, aKnownRoomThatOneRunStillHasIsTold) {
-  SiteFile ledger;
-  Comparison first = test::night("s", "a", 1, 0.1, {"2", "3"}).comparison;
-  nameKnownRooms(first, ledger, "a.db");
+TEST_F(NameKnownRooms, aKnownRoomThatOneRunStillHasIsTold) {
   Comparison later = first;
   later.rooms[2].runs.resize(1);
   nameKnownRooms(later, ledger, "a.db");
   EXPECT_EQ(idsOf(later), idsOf(first));
 }
 
-TEST(NameKnownRooms, theRoomsOfTheFirstTwoRunsAreTakenAsTheyAre) {
-  SiteFile ledger;
+TEST_F(NameKnownRooms, theRoomsOfTheFirstTwoRunsAreTakenAsTheyAre) {
+  SiteFile fresh;
   Comparison alone = test::night("s", "a", 1, 0.1).comparison;
-  nameKnownRooms(alone, ledger, "a.db");
-  EXPECT_EQ(ledger.rooms.size(), 3U);
+  nameKnownRooms(alone, fresh, "a.db");
+  EXPECT_EQ(fresh.rooms.size(), 3U);
 }
 
-TEST(NameKnownRooms, namesThatPeopleGaveStay) {
-  SiteFile ledger;
-  Comparison first = test::night("s", "a", 1, 0.1, {"2", "3"}).comparison;
-  nameKnownRooms(first, ledger, "a.db");
+TEST_F(NameKnownRooms, namesThatPeopleGaveStay) {
   ledger.rooms[1].name = "Kitchen";
   const std::string id = ledger.rooms[1].id;
   Comparison later = test::night("s", "a", 4, 0.1, {"2", "3"}).comparison;
@@ -67,10 +66,7 @@ TEST(NameKnownRooms, namesThatPeopleGaveStay) {
     EXPECT_EQ(room.id == id, room.name == "Kitchen") << room.id;
 }
 
-TEST(NameKnownRooms, whereTheRoomsLieNowhereNothingIsChanged) {
-  SiteFile ledger;
-  Comparison first = test::night("s", "a", 1, 0.1, {"2", "3"}).comparison;
-  nameKnownRooms(first, ledger, "a.db");
+TEST_F(NameKnownRooms, whereTheRoomsLieNowhereNothingIsChanged) {
   Comparison other = test::night("s", "a", 4, 0.1, {"2", "3"}).comparison;
   other.rooms = {squareRoom("R1", {500, 500}, {"1", "2"})};
   const std::size_t rooms = ledger.rooms.size();

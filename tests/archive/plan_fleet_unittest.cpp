@@ -6,7 +6,6 @@
 #include <functional>
 
 #include "TestFolder.h"
-#include "roomgraph/base/Error.h"
 
 namespace roomgraph {
 namespace {

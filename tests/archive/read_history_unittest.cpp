@@ -6,7 +6,6 @@
 #include "TestFolder.h"
 #include "refusal.h"
 #include "roomgraph/archive/Archive.h"
-#include "roomgraph/report/json_parts.h"
 #include "sample_nights.h"
 
 namespace roomgraph {
@@ -14,9 +13,12 @@ namespace {
 
 using test::night;
 
-TEST(ReadHistory, runsComeByTimeWhateverTheOrderInWhichTheyWereAdded) {
+struct ReadHistory : testing::Test {
   const TestFolder folder;
-  Archive archive(folder / "a.db", test::kOrNew);
+  Archive archive{folder / "a.db", test::kOrNew};
+};
+
+TEST_F(ReadHistory, runsComeByTimeWhateverTheOrderInWhichTheyWereAdded) {
   for (const int n : {5, 1, 9, 3}) archive.record(night("office", "anna", n, 0.1));
   const SiteHistory history = archive.history("office");
   ASSERT_EQ(history.runs.size(), 4u);
@@ -26,9 +28,7 @@ TEST(ReadHistory, runsComeByTimeWhateverTheOrderInWhichTheyWereAdded) {
   EXPECT_EQ(history.runs[3].sha256, "9");
 }
 
-TEST(ReadHistory, runsOfOneTimeComeAsTheyWereAdded) {
-  const TestFolder folder;
-  Archive archive(folder / "a.db", test::kOrNew);
+TEST_F(ReadHistory, runsOfOneTimeComeAsTheyWereAdded) {
   for (const int n : {7, 2, 4}) {
     Addition addition = night("office", "anna", n, 0.1);
     addition.runs[0].time = 1000;
@@ -40,9 +40,7 @@ TEST(ReadHistory, runsOfOneTimeComeAsTheyWereAdded) {
   EXPECT_EQ(history.runs[2].sha256, "4");
 }
 
-TEST(ReadHistory, tablesThatContradictEachOtherAreDamagedAndTheNextSiteIsRead) {
-  const TestFolder folder;
-  Archive archive(folder / "a.db", test::kOrNew);
+TEST_F(ReadHistory, tablesThatContradictEachOtherAreDamagedAndTheNextSiteIsRead) {
   archive.record(night("office", "anna", 1, 0.1));
   archive.record(night("lab", "berta", 2, 0.4));
   Database database(folder / "a.db", false);
@@ -54,9 +52,7 @@ TEST(ReadHistory, tablesThatContradictEachOtherAreDamagedAndTheNextSiteIsRead) {
   EXPECT_EQ(archive.history("lab").runs.size(), 1u);
 }
 
-TEST(ReadHistory, eachSiteHasItsOwnRunsFiguresAndRooms) {
-  const TestFolder folder;
-  Archive archive(folder / "a.db", test::kOrNew);
+TEST_F(ReadHistory, eachSiteHasItsOwnRunsFiguresAndRooms) {
   archive.record(night("office", "anna", 1, 0.1));
   archive.record(night("lab", "berta", 2, 0.4));
   archive.record(night("office", "anna", 3, 0.2));
@@ -73,9 +69,7 @@ TEST(ReadHistory, eachSiteHasItsOwnRunsFiguresAndRooms) {
   EXPECT_TRUE(none.ledger.rooms.empty());
 }
 
-TEST(ReadHistory, allOfARunComesBack) {
-  const TestFolder folder;
-  Archive archive(folder / "a.db", test::kOrNew);
+TEST_F(ReadHistory, allOfARunComesBack) {
   Addition addition = night("office", "anna \"2\"", 1, 0.1);
   RoomInRun& gone = addition.comparison.rooms[1].runs[0];
   gone.sighting = RoomSighting::gone, gone.pieces = 0, gone.areaChange.reset();

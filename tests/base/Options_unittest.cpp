@@ -26,6 +26,15 @@ FieldTable describe(Settings& settings) {
   return table;
 }
 
+/** Settings, and what sets them. */
+struct Described : testing::Test {
+  Settings settings;
+  FieldTable table = describe(settings);
+};
+
+using OptionFields = Described;
+using Ini = Described;
+
 /** What the error says; empty where there is none. */
 template <class Function>
 std::string usageError(const Function& function) {
@@ -38,9 +47,7 @@ std::string iniError(const std::string& text) {
   return usageError([&] { fromIni(text, "my.ini", table); });
 }
 
-TEST(FieldTable, setsEveryKindOfField) {
-  Settings settings;
-  FieldTable table = describe(settings);
+TEST_F(OptionFields, setsEveryKindOfField) {
   table.set("door", "width", "2.25");
   table.set("door", "count", "7");
   table.set("wall", "is_on", "off");
@@ -51,18 +58,14 @@ TEST(FieldTable, setsEveryKindOfField) {
   EXPECT_EQ(settings.mode, "slow");
 }
 
-TEST(FieldTable, namesSectionKeyValueAndRangeOfABadValue) {
-  Settings settings;
-  FieldTable table = describe(settings);
+TEST_F(OptionFields, namesSectionKeyValueAndRangeOfABadValue) {
   const std::string text = usageError([&] { table.set("door", "width", "11"); });
   for (const char* part : {"[door]", "width", "11", "0.1 to 10 m"})
     EXPECT_NE(text.find(part), std::string::npos) << text;
   EXPECT_EQ(settings.width, 1.5);
 }
 
-TEST(FieldTable, refusesWhatIsNoNumber) {
-  Settings settings;
-  FieldTable table = describe(settings);
+TEST_F(OptionFields, refusesWhatIsNoNumber) {
   for (const char* bad : {"", "nan", "inf", "1m", "1,5", "0x3", "two"})
     EXPECT_THROW(table.set("door", "width", bad), UsageError) << bad;
   for (const char* bad : {"", "1.5", "10", "-1", "99999999999999"})
@@ -71,25 +74,19 @@ TEST(FieldTable, refusesWhatIsNoNumber) {
   EXPECT_THROW(table.set("wall", "mode", "Fast"), UsageError);
 }
 
-TEST(FieldTable, acceptsTheEndsOfTheRange) {
-  Settings settings;
-  FieldTable table = describe(settings);
+TEST_F(OptionFields, acceptsTheEndsOfTheRange) {
   EXPECT_NO_THROW(table.set("door", "width", "0.1"));
   EXPECT_NO_THROW(table.set("door", "width", "10"));
 }
 
-TEST(FieldTable, tellsAnUnknownSectionFromAnUnknownKey) {
-  Settings settings;
-  FieldTable table = describe(settings);
+TEST_F(OptionFields, tellsAnUnknownSectionFromAnUnknownKey) {
   EXPECT_NE(usageError([&] { table.set("roof", "width", "1"); }).find("no section [roof]"),
             std::string::npos);
   EXPECT_NE(usageError([&] { table.set("door", "depth", "1"); }).find("no key 'depth'"),
             std::string::npos);
 }
 
-TEST(FieldTable, guessesWhatWasMeant) {
-  Settings settings;
-  FieldTable table = describe(settings);
+TEST_F(OptionFields, guessesWhatWasMeant) {
   EXPECT_EQ(usageError([&] { table.set("dor", "width", "1"); }),
             "there is no section [dor]: did you mean 'door'?");
   EXPECT_EQ(usageError([&] { table.set("door", "widht", "1"); }),
@@ -98,42 +95,37 @@ TEST(FieldTable, guessesWhatWasMeant) {
             "there is no section [chimney]: see 'roomgraph config'");
 }
 
-TEST(FieldTable, writesRangesForPeople) {
-  Settings settings;
-  const FieldTable table = describe(settings);
+TEST_F(OptionFields, writesRangesForPeople) {
   EXPECT_EQ(rangeText(table.fields()[0]), "0.1 to 10 m");
   EXPECT_EQ(rangeText(table.fields()[1]), "0 to 9");
   EXPECT_EQ(rangeText(table.fields()[2]), "true or false");
   EXPECT_EQ(rangeText(table.fields()[3]), "fast, slow or none");
 }
 
-TEST(Ini, readsBackWhatItWrote) {
-  Settings written, read;
+TEST_F(Ini, readsBackWhatItWrote) {
+  Settings written;
   written.width = 0.1 + 0.2;
   written.isOn = false;
   written.mode = "none";
-  FieldTable table = describe(read);
   fromIni(toIni(describe(written)), "x.ini", table);
-  EXPECT_EQ(read.width, written.width);
-  EXPECT_EQ(read.isOn, written.isOn);
-  EXPECT_EQ(read.mode, written.mode);
+  EXPECT_EQ(settings.width, written.width);
+  EXPECT_EQ(settings.isOn, written.isOn);
+  EXPECT_EQ(settings.mode, written.mode);
 }
 
-TEST(Ini, keepsWhatItDoesNotName) {
-  Settings settings;
-  FieldTable table = describe(settings);
+TEST_F(Ini, keepsWhatItDoesNotName) {
   fromIni("; a comment\n\n[door]\r\n  width=2 # as measured\n", "x.ini", table);
   EXPECT_EQ(settings.width, 2);
   EXPECT_EQ(settings.count, 3);
 }
 
-TEST(Ini, namesFileAndLineOfAnError) {
+TEST_F(Ini, namesFileAndLineOfAnError) {
   EXPECT_EQ(iniError("[door]\nwidth 2\n").rfind("my.ini:2: ", 0), 0u);
   EXPECT_EQ(iniError("[door]\n\nwidth = 200\n").rfind("my.ini:3: ", 0), 0u);
   EXPECT_EQ(iniError("width = 2\n").rfind("my.ini:1: ", 0), 0u);
 }
 
-TEST(Ini, refusesAKeyThatIsSetTwice) {
+TEST_F(Ini, refusesAKeyThatIsSetTwice) {
   EXPECT_NE(iniError("[door]\nwidth = 2\n[wall]\n[door]\nwidth = 2\n").find("set twice"),
             std::string::npos);
 }

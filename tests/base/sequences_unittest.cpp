@@ -29,6 +29,17 @@ TEST(Sequences, listsAndArraysContainValues) {
   EXPECT_FALSE(contains(Words{"a"}, "b"));
 }
 
+TEST(Sequences, whatFitsIsCountedAndFound) {
+  Words words{"a", "", "bb"};
+  EXPECT_TRUE(anyOf(words, &std::string::empty));
+  EXPECT_FALSE(allOf(words, &std::string::empty));
+  EXPECT_EQ(countIf(words, [](const std::string& word) { return !word.empty(); }), 2u);
+  const auto isLong = [](const std::string& word) { return word.size() > 1; };
+  EXPECT_EQ(findIf(words, isLong), &words[2]);
+  words.pop_back();
+  EXPECT_EQ(findIf(words, isLong), nullptr);
+}
+
 TEST(Sequences, numbersRunToBeforeTheEnd) {
   EXPECT_EQ(numbersFrom(2, 5), (std::vector<std::size_t>{2, 3, 4}));
   EXPECT_TRUE(numbersFrom(3, 3).empty());

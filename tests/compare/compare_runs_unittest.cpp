@@ -15,7 +15,6 @@
 #include "roomgraph/compare/prepare_run.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/measures/measure_kinds.h"
-#include "roomgraph/relate/relate_runs.h"
 #include "roomgraph/report/comparison_csv.h"
 #include "roomgraph/report/comparison_json.h"
 #include "schemas.h"
@@ -46,8 +45,7 @@ std::vector<roomgraph::Run> threeGoodAndABentRun() {
 
 template <typename RunOrPair>
 const Measure& measureOf(const RunOrPair& of, const std::string& name) {
-  return *std::find_if(of.measures.begin(), of.measures.end(),
-                       [&](const Measure& m) { return m.name == name; });
+  return *find(of.measures, name);
 }
 
 TEST(CompareRuns, identicalRunsHaveScore100AndNoDistance) {
@@ -318,9 +316,8 @@ TEST(CompareRuns, aPieceOfASymmetricBuildingHasToBeNeeded) {
     runs.push_back(prepareRun(name, loadGrid(file, {}), {}, {}));
   }
   const Comparison result = compared(runs);
-  const auto sound = std::find_if(result.runs.begin(), result.runs.end(),
-                                  [](const ComparedRun& run) { return run.name == "run04"; });
-  ASSERT_NE(sound, result.runs.end());
+  const ComparedRun* sound = findRun(result.runs, "run04");
+  ASSERT_NE(sound, nullptr);
   EXPECT_LT(sound->score->mapError, 0.5) << "0.24 m by the true poses";
 }
 

@@ -4,7 +4,6 @@
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/breaks/find_pieces.h"
 #include "roomgraph/breaks/site_breaks.h"
-#include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/compare/run_score.h"
 #include "roomgraph/consensus/estimate_map_errors.h"
 #include "roomgraph/relate/estimate_scale.h"

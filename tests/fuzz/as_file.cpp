@@ -43,22 +43,6 @@ const std::string& asFile(const std::string& bytes) {
   return file.name;
 }
 
-std::string inGzip(const std::string& bytes) {
-  z_stream stream{};
-  constexpr int kGzip = 16 + MAX_WBITS, kFastest = 1;
-  if (deflateInit2(&stream, kFastest, Z_DEFLATED, kGzip, 8, Z_DEFAULT_STRATEGY) != Z_OK)
-    std::abort();
-  std::string packed(deflateBound(&stream, bytes.size()), '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-  stream.avail_in = uInt(bytes.size());
-  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_out = uInt(packed.size());
-  if (deflate(&stream, Z_FINISH) != Z_STREAM_END) std::abort();
-  packed.resize(stream.total_out);
-  deflateEnd(&stream);
-  return packed;
-}
-
 std::string withPngChecksums(std::string bytes) {
   constexpr std::size_t kSignature = 8, kAround = 12;  // length, type and checksum of a chunk
   for (std::size_t at = kSignature; at + kAround <= bytes.size();) {

@@ -7,9 +7,6 @@ namespace roomgraph::test {
  *  the system has a place for that. */
 const std::string& asFile(const std::string& bytes);
 
-/** The bytes in a gzip frame with the right length and checksum. */
-std::string inGzip(const std::string& bytes);
-
 /** A png whose chunks have the right checksums, whatever they hold; other bytes as they are. */
 std::string withPngChecksums(std::string bytes);
 

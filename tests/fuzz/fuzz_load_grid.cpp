@@ -2,6 +2,7 @@
 #include "ByteSource.h"
 #include "as_file.h"
 #include "or_refused.h"
+#include "roomgraph/base/compressed.h"
 #include "roomgraph/images/read_labels.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/map_files/read_recording.h"
@@ -11,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   test::ByteSource bytes(data, size);
   const unsigned wrapping = bytes.byte() % 3;
   std::string content = bytes.rest();
-  if (wrapping == 1) content = test::inGzip(content);
+  if (wrapping == 1) content = compressed(content, Compression::gzip);
   if (wrapping == 2) content = test::withPngChecksums(std::move(content));
   const std::string& file = test::asFile(content);
   test::orRefused([&] { loadMap(file, {}); });

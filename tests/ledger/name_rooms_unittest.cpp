@@ -2,11 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "drawn_house.h"
 #include "no_consensus.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/ledger/site_rooms.h"
 #include "roomgraph/report/site_json.h"
 
@@ -102,8 +101,8 @@ TEST(NameRooms, whatIsGoneStaysAndWhatIsNewGetsANewId) {
   EXPECT_EQ(foundAt(rooms, kLater({22, 2}))->id, "R11");
   EXPECT_EQ(foundAt(rooms, kLater({18, 9}))->id, gone) << "seen again";
   // Its place in the file is that of the file's frame, and its door leads to a room of the file.
-  const SiteRoom& added = *std::find_if(file.rooms.begin(), file.rooms.end(),
-                                        [](const SiteRoom& room) { return room.id == "R11"; });
+  const SiteRoom& added =
+      *findIf(file.rooms, [](const SiteRoom& room) { return room.id == "R11"; });
   EXPECT_LT(distance(added.center, {22.1, 1.9}), 0.2);
   ASSERT_EQ(added.doors.size(), 1u);
   EXPECT_EQ(added.doors[0].to, foundAt(rooms, kLater({18, 2}))->id);
@@ -117,9 +116,7 @@ TEST(NameRooms, idsAreNotUsedAgain) {
   rooms = roomsOf(house(), {});
   name(rooms, file);
   EXPECT_EQ(file.nextRoom, 12);
-  EXPECT_EQ(std::count_if(file.rooms.begin(), file.rooms.end(),
-                          [](const SiteRoom& room) { return room.id == "R10"; }),
-            0);
+  EXPECT_FALSE(anyOf(file.rooms, [](const SiteRoom& room) { return room.id == "R10"; }));
 }
 
 TEST(NameRooms, anotherSiteIsRefused) {

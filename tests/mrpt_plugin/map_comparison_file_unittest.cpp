@@ -6,7 +6,6 @@
 #include <string>
 
 #include "TestFolder.h"
-#include "map_files.h"
 #include "refusal.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/mrpt_plugin/room_graph_file.h"

@@ -4,7 +4,6 @@
 #include <mrpt/io/CMemoryStream.h>
 
 #include "mrpt_reads.h"
-#include "roomgraph/mrpt_plugin/draw_graph.h"
 #include "sample_graph.h"
 
 namespace roomgraph {

@@ -97,7 +97,8 @@ TEST(PercentText, isOfAHundred) {
 
 TEST(BreakScans, areThoseOnEitherSideInTheFrameOfTheSite) {
   const auto sample = test::sampleComparison();
-  const BreakScans scans = breakScans(sample.comparison, sample.comparison.breaks[0], sample.runs);
+  const BreakScans scans =
+      breakScans(sample.comparison, faultsOf(sample.comparison)[0], sample.runs);
   ASSERT_FALSE(scans.before.empty() || scans.behind.empty());
   for (const auto* places : {&scans.before, &scans.behind}) {
     EXPECT_LE(places->size(), 250u);
@@ -110,10 +111,10 @@ TEST(BreakScans, areThoseOnEitherSideInTheFrameOfTheSite) {
 
 TEST(BreakScans, aRunWithoutScansOrMapHasNone) {
   const auto sample = test::sampleComparison();
-  EXPECT_TRUE(
-      breakScans(sample.comparison, sample.comparison.breaks[1], sample.runs).behind.empty())
+  const std::vector<Fault> faults = faultsOf(sample.comparison);
+  EXPECT_TRUE(breakScans(sample.comparison, faults[1], sample.runs).behind.empty())
       << "no key frame";
-  EXPECT_TRUE(breakScans(sample.comparison, sample.comparison.breaks[0], {}).before.empty());
+  EXPECT_TRUE(breakScans(sample.comparison, faults[0], {}).before.empty());
 }
 
 TEST(Base64, isThatOfTheStandard) {

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <set>
 
-#include "png_pixels.h"
-
 namespace roomgraph {
 namespace {
 

@@ -27,6 +27,18 @@ TEST(FaultsOf, aBreakIsShownByTheScansOnBothSidesOfIt) {
   EXPECT_EQ(faults[0].mend->x, -1);
 }
 
+TEST(FaultsOf, thereMayBeFewerScansOnOneSide) {
+  RunCheck check = checkOf(8);
+  check.breaks = {{"run", {}, 0.2, 1, 5, {}, {}},
+                  {"run", {}, 0.2, 1, 0, {}, {}},
+                  {"run", {}, 0.2, 1, 15, {}, {}}};
+  const std::vector<Fault> faults = faultsOf(check);
+  EXPECT_EQ(faults[0].earlier.text(), "0 to 4");
+  EXPECT_EQ(faults[0].later.text(), "6 to 14") << "the next one that has a scan";
+  EXPECT_FALSE(faults[1].earlier.holds(0));
+  EXPECT_FALSE(faults[2].later.holds(14)) << "it has no scan from there on";
+}
+
 TEST(FaultsOf, twoTimesAreShownByTheScansBesideThem) {
   RunCheck check = checkOf(40);
   check.doubled = {{{0, 20, 4, {}, {0, 0}}, {60, 78, 77, {}, {0, -2}}, 2, {0, 2, 0}}};

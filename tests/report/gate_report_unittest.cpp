@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "occurrences.h"
-#include "sample_comparison.h"
 
 namespace roomgraph {
 namespace {

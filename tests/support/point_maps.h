@@ -4,7 +4,6 @@
 #include <mrpt/maps/CPointsMap.h>
 #include <mrpt/rtti/CObject.h>
 
-#include <memory>
 #include <vector>
 
 namespace roomgraph::test {

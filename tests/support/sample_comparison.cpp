@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "roomgraph/align/wall_map.h"
-#include "roomgraph/pipeline/ExtractOptions.h"
 #include "sampled_grid.h"
 
 namespace roomgraph::test {

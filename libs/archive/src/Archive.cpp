@@ -1,12 +1,11 @@
 #include "roomgraph/archive/Archive.h"
 
-#include <algorithm>
-
 #include "Database.h"
 #include "read_history.h"
 #include "reform_site.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/file_name.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/version.h"
 #include "roomgraph/report/site_json.h"
 #include "schema.h"
@@ -81,8 +80,7 @@ std::vector<Entry> newRuns(Database& database, std::int64_t site, const Addition
   const Comparison& comparison = addition.comparison;
   for (HistoryRun run : addition.runs) {
     const auto isSame = [&](const Entry& entry) { return entry.run.sha256 == run.sha256; };
-    if (keyOf(database, site, run.sha256) || std::any_of(runs.begin(), runs.end(), isSame))
-      continue;
+    if (keyOf(database, site, run.sha256) || anyOf(runs, isSame)) continue;
     if (const ComparedRun* compared = findRun(comparison, run.sha256)) {
       const bool isKnown = isKnownSite(database, site, comparison);
       run.reason = isKnown ? compared->reason : "lies in no site of the known runs";

@@ -1,6 +1,5 @@
 #include "roomgraph/archive/SiteHistory.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include "roomgraph/base/Error.h"
@@ -37,8 +36,7 @@ void addScore(std::vector<Measure>& figures, const RunScore& score) {
 /** Doors of the site that a run has: not those that it may have, as then a door beside furniture
  *  that most runs come to see would change all later runs at once. */
 int doorsSeen(const SiteRoom& room, const std::string& run) {
-  return int(std::count_if(room.doors.begin(), room.doors.end(),
-                           [&](const SiteDoor& door) { return contains(door.seenIn, run); }));
+  return int(countIf(room.doors, [&](const SiteDoor& door) { return contains(door.seenIn, run); }));
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "roomgraph/archive/add_run.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include "roomgraph/archive/record_files.h"
@@ -37,9 +36,9 @@ ReadRuns readAll(std::vector<std::string> files, const std::string& added,
 /** What the added run tells of itself, where the others do not judge it. */
 void checkAlone(const ReadRuns& read, const std::string& sha256, Comparison& comparison) {
   const auto isAdded = [&](const auto& run) { return run.sha256 == sha256; };
-  const auto run = std::find_if(read.runs.begin(), read.runs.end(), isAdded);
-  const auto compared = std::find_if(comparison.runs.begin(), comparison.runs.end(), isAdded);
-  if (run == read.runs.end() || compared == comparison.runs.end()) return;
+  const Run* run = findIf(read.runs, isAdded);
+  ComparedRun* compared = findIf(comparison.runs, isAdded);
+  if (!run || !compared) return;
   if (run->scans.empty() || (compared->score && compared->score->isMeaningful)) return;
   const RunCheck check = checkRun(*run);
   compared->reason += "; by itself: " + toldText(check);

@@ -1,10 +1,10 @@
-#include <algorithm>
 
 #include "Database.h"
 #include "read_history.h"
 #include "roomgraph/archive/Archive.h"
 #include "roomgraph/archive/SiteHistory.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/report/site_json.h"
 
 namespace roomgraph {
@@ -38,9 +38,8 @@ void Archive::nameRoom(const std::string& site, const std::string& id, const std
   Database& database = *database_;
   Transaction transaction(database);
   SiteFile ledger = readLedger(database, site);
-  const auto room = std::find_if(ledger.rooms.begin(), ledger.rooms.end(),
-                                 [&](const SiteRoom& known) { return known.id == id; });
-  if (room == ledger.rooms.end())
+  SiteRoom* room = findIf(ledger.rooms, [&](const SiteRoom& known) { return known.id == id; });
+  if (!room)
     throw DataError(database.file() + ": has no room " + id + ": 'rooms' lists those that it has");
   room->name = name;
   database.run("UPDATE site SET ledger = ? WHERE name = ?", siteJson(ledger), site);

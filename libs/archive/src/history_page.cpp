@@ -57,8 +57,7 @@ std::vector<Row> rowsByNeed(const std::vector<WatchedSite>& sites) {
 
 /** Where no robot alarms: says so only of those of which enough nights are known. */
 std::string calmHeadline(const std::vector<Row>& rows) {
-  const auto untold = std::size_t(std::count_if(
-      rows.begin(), rows.end(), [](const Row& row) { return row.robot->errors.isTooShort; }));
+  const auto untold = countIf(rows, [](const Row& row) { return row.robot->errors.isTooShort; });
   if (untold == 0) return "No robot's map gets worse";
   if (untold == rows.size()) return "Too few nights to see a trend";
   return "No alarm, but " + std::to_string(untold) + " of " +
@@ -71,7 +70,7 @@ bool needsAttention(const Row& row) {
 }
 
 std::string headline(const std::vector<Row>& rows) {
-  const auto alarms = std::size_t(std::count_if(rows.begin(), rows.end(), needsAttention));
+  const auto alarms = countIf(rows, needsAttention);
   if (rows.empty()) return "No runs yet";
   if (rows.size() == 1)
     return rows[0].robot->robot + ": " + rows[0].robot->advice +

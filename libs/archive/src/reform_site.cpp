@@ -1,6 +1,5 @@
 #include "reform_site.h"
 
-#include <algorithm>
 #include <set>
 
 #include "roomgraph/base/sequences.h"
@@ -10,9 +9,7 @@ namespace roomgraph {
 namespace {
 
 std::size_t seenBy(const SiteRoom& room) {
-  return std::size_t(std::count_if(room.runs.begin(), room.runs.end(), [](const RoomInRun& in) {
-    return in.sighting == RoomSighting::seen;
-  }));
+  return countIf(room.runs, [](const RoomInRun& in) { return in.sighting == RoomSighting::seen; });
 }
 
 constexpr std::size_t kLeastAgreeing = 3;  // of two that differ, nothing says which is right
@@ -34,7 +31,7 @@ void unplaceAll(Database& database, std::int64_t site) {
 bool hasPlaced(Database& database, std::int64_t site, const Comparison& comparison) {
   constexpr char kPlaced[] =
       "SELECT count(*) FROM run WHERE site = ? AND sha256 = ? AND state = 'placed'";
-  return std::any_of(comparison.runs.begin(), comparison.runs.end(), [&](const ComparedRun& run) {
+  return anyOf(comparison.runs, [&](const ComparedRun& run) {
     return database.number(kPlaced, site, run.sha256) > 0;
   });
 }

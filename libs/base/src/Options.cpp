@@ -1,7 +1,6 @@
 #include "roomgraph/base/Options.h"
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 #include <sstream>
 

@@ -9,6 +9,7 @@
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/check/find_refuted.h"
 #include "roomgraph/relate/PairBend.h"
@@ -69,8 +70,7 @@ bool ComparedRun::isPlaceBorneOut() const {
 }
 
 bool Comparison::isScaleUsual() const {
-  return !runs.empty() && std::all_of(runs.begin(), runs.end(),
-                                      [](const ComparedRun& run) { return run.isScaleEstimated; });
+  return !runs.empty() && allOf(runs, &ComparedRun::isScaleEstimated);
 }
 
 bool Comparison::areCopies() const {
@@ -83,9 +83,9 @@ bool Comparison::hasBoth(const ComparedPair& pair) const {
 }
 
 std::size_t Comparison::countBreaks(const std::string& run) const {
-  return std::size_t(std::count_if(breaks.begin(), breaks.end(), [&](const MapBreak& found) {
+  return countIf(breaks, [&](const MapBreak& found) {
     return found.run == run && found.kind() != BreakClass::slight;
-  }));
+  });
 }
 
 std::string Comparison::faultOfReference(const ComparedRun& run) const {
@@ -118,7 +118,7 @@ bool Comparison::isPlaceDoubtful(const std::string& run) const {
   const auto isOfRun = [&](const ComparedPair& pair) {
     return pair.isSameSite && (pair.a == run || pair.b == run);
   };
-  if (std::none_of(pairs.begin(), pairs.end(), isOfRun)) return false;
+  if (!anyOf(pairs, isOfRun)) return false;
   std::size_t own = 0, largest = 0;
   for (const Names& names : setsOf(pairs, [](const ComparedPair& pair) {
          return pair.isSameSite && pair.confidence >= kSureConfidence;

@@ -59,7 +59,7 @@ std::string errorText(const ComparedRun& run) {
 
 /** Whether its interval ends above the score of at least one other run. */
 bool isBetterThanAny(const ComparedRun& best, const Comparison& comparison) {
-  return std::any_of(comparison.runs.begin(), comparison.runs.end(), [&](const ComparedRun& run) {
+  return anyOf(comparison.runs, [&](const ComparedRun& run) {
     return run.name != best.name && (!run.score || run.score->score < best.score->low);
   });
 }
@@ -85,7 +85,7 @@ std::vector<std::string> rivalsOf(const ComparedRun& best, const Comparison& com
 
 /** Whether another run, of which nothing can be told, seems to be better. */
 bool seemsOutdone(const ComparedRun& best, const Comparison& comparison) {
-  return std::any_of(comparison.runs.begin(), comparison.runs.end(), [&](const ComparedRun& run) {
+  return anyOf(comparison.runs, [&](const ComparedRun& run) {
     return run.score && !run.score->isMeaningful && run.score->mapError < best.score->mapError;
   });
 }

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <exception>
 #include <functional>
 #include <utility>
@@ -138,12 +137,10 @@ class Reader {
 
   template <class Part>
   bool hasAny(std::optional<Part> MapFile::*part) const {
-    return std::any_of(files_.begin(), files_.end(),
-                       [&](const MapFile& file) { return (file.*part).has_value(); });
+    return anyOf(files_, [&](const MapFile& file) { return (file.*part).has_value(); });
   }
   bool hasFailed() const {
-    return std::any_of(files_.begin(), files_.end(),
-                       [](const MapFile& file) { return !file.failure.empty(); });
+    return anyOf(files_, [](const MapFile& file) { return !file.failure.empty(); });
   }
 
   static void setScale(GreyMap& picture, double resolution, const Notes& notes) {

@@ -181,10 +181,8 @@ std::string caveatsOf(const std::vector<Run>& runs, const Findings& found,
     const auto members = mapped(drive, [&](std::size_t run) { return site.members[run]; });
     text += sharedDriveNote(namesOf(runs, members), site.runs.size());
   }
-  const auto bare = std::size_t(std::count_if(site.runs.begin(), site.runs.end(),
-                                              [](const Run* r) { return r->scans.empty(); }));
-  const bool isCompared = std::any_of(found.scores.begin(), found.scores.end(),
-                                      [](const auto& score) { return score.has_value(); });
+  const auto bare = countIf(site.runs, [](const Run* r) { return r->scans.empty(); });
+  const bool isCompared = anyOf(found.scores, [](const auto& score) { return score.has_value(); });
   if (areDrivesUnknown(found) && isCompared) text += unknownDrivesNote(bare, site.runs.size());
   return text;
 }

@@ -5,7 +5,6 @@
 #include "roomgraph/compare/Comparison.h"
 #include "roomgraph/compare/run_score.h"
 #include "roomgraph/consensus/map_errors.h"
-#include "roomgraph/consensus/site_consensus.h"
 #include "roomgraph/measures/measure_site.h"
 #include "roomgraph/relate/MapPairs.h"
 #include "roomgraph/relate/Run.h"

@@ -7,7 +7,6 @@
 #include "roomgraph/drawing/ink.h"
 #include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/geometry/Polyline.h"
-#include "roomgraph/images/png_bytes.h"
 #include "roomgraph/topology/TopologyGraph.h"
 
 namespace roomgraph {

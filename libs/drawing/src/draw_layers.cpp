@@ -164,15 +164,13 @@ std::vector<LegendItem> graphLegend(const TopologyGraph& graph) {
   std::vector<LegendItem> items;
   for (const VertexKind kind :
        {VertexKind::border, VertexKind::junction, VertexKind::deadEnd, VertexKind::ring}) {
-    const auto count = std::count_if(graph.vertices().begin(), graph.vertices().end(),
-                                     [&](const Vertex& v) { return v.kind == kind; });
+    const auto count = countIf(graph.vertices(), [&](const Vertex& v) { return v.kind == kind; });
     if (count == 0) continue;
     items.push_back(
         {groupedCount(std::size_t(count), legendName(kind, false), legendName(kind, true)),
          [kind](const Pen& pen, Point place) { pen.mark(kind, place); }});
   }
-  const auto inside = std::size_t(std::count_if(graph.edges().begin(), graph.edges().end(),
-                                                [](const Edge& e) { return bool(e.room); }));
+  const auto inside = countIf(graph.edges(), [](const Edge& e) { return bool(e.room); });
   if (inside < graph.edges().size())
     items.push_back(lineLegend(
         groupedCount(graph.edges().size() - inside, "path outside rooms", "paths outside rooms"),

@@ -114,8 +114,7 @@ Picture resultPicture(const Stages& stages) {
 
 Picture areasPicture(const Stages& stages) {
   const std::vector<Area>& areas = stages.areas.areas;
-  const auto rooms = std::size_t(
-      std::count_if(areas.begin(), areas.end(), [](const Area& area) { return area.isRoom(); }));
+  const auto rooms = countIf(areas, &Area::isRoom);
   const std::size_t corridors = areas.size() - rooms;
   Picture picture{Json::object({{"rooms", rooms},
                                 {"corridors", corridors},

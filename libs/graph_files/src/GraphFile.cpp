@@ -22,14 +22,11 @@ std::string text(SavedOption option) {
 }  // namespace
 
 GraphFile graphFile(const Stages& stages) {
+  const GreyMap::Source& source = stages.source;
   GraphFile file;
-  file.program = "roomgraph";
-  file.version = version();
-  file.input.file = fileName(stages.source.file);
-  file.input.kind = stages.source.kind;
-  file.input.sha256 = stages.source.sha256;
-  file.input.insertion = stages.source.insertion;
-  file.input.frame = stages.grid.frame;
+  file.program = "roomgraph", file.version = version();
+  file.input = {fileName(source.file), source.kind, source.sha256, source.insertion,
+                stages.grid.frame};
   ExtractOptions options = stages.options;
   const FieldTable table = describe(options);
   for (const Field& field : table.fields()) file.options.push_back(savedOption(field));

@@ -6,6 +6,7 @@
 #include "decoders.h"
 #include "pixels.h"
 #include "roomgraph/base/checked_file.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {
@@ -69,9 +70,7 @@ constexpr Kind kKinds[] = {
     {isPng, readPng}, {isPgm, readPgm}, {isBmp, readBmp}, {isJpeg, readJpeg}};
 
 const Kind* kindOf(ByteView head) {
-  const Kind* found = std::find_if(std::begin(kKinds), std::end(kKinds),
-                                   [&](const Kind& kind) { return kind.looksLike(head); });
-  return found == std::end(kKinds) ? nullptr : found;
+  return findIf(kKinds, [&](const Kind& kind) { return kind.looksLike(head); });
 }
 
 std::vector<std::uint8_t> clearPixelsOfPng(CheckedFile& file) {

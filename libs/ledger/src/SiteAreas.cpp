@@ -105,8 +105,7 @@ void markKnown(const WallMap& map, const RealPlaces& places, const GridFrame& fr
 }  // namespace
 
 bool RunAreas::isOpenTo(std::size_t a, std::size_t b) const {
-  return std::any_of(doors[a].begin(), doors[a].end(),
-                     [&](const AreaDoor& door) { return door.to == b; });
+  return anyOf(doors[a], [&](const AreaDoor& door) { return door.to == b; });
 }
 
 GridFrame frameRound(const std::vector<const Polygon*>& polygons) {
@@ -142,7 +141,7 @@ SiteAreas siteAreas(const Site& site, const Consensus& consensus, const Trust& t
     for (const Polygon& polygon : of.polygons) polygons.push_back(&polygon);
   SiteAreas result;
   result.frame = frameRound(polygons);
-  const bool isTrusted = std::any_of(trust.begin(), trust.end(), [](double of) { return of > 0; });
+  const bool isTrusted = anyOf(trust, [](double of) { return of > 0; });
   for (std::size_t i = 0; i < site.runs.size(); ++i) {
     RunAreas run;
     run.weight = isTrusted ? std::max(fitted::kLeastWeight, std::sqrt(std::sqrt(trust[i]))) : 1;

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "roomgraph/consensus/Consensus.h"
-#include "roomgraph/geometry/Transform2D.h"
 #include "roomgraph/grid/GridFrame.h"
 #include "roomgraph/relate/Site.h"
 #include "roomgraph/rooms/AreaGraph.h"

@@ -18,9 +18,8 @@ namespace {
 bool isGap(const RunAreas& run, std::size_t area) {
   const SiteShape& shape = run.shapes[area];
   const std::vector<AreaDoor>& doors = run.doors[area];
-  const bool leadsNowhere = std::all_of(doors.begin(), doors.end(), [&](const AreaDoor& door) {
-    return door.to == doors.front().to;
-  });
+  const bool leadsNowhere =
+      allOf(doors, [&](const AreaDoor& door) { return door.to == doors.front().to; });
   return shape.isCorridor && leadsNowhere &&
          2 * shape.area < fitted::kNarrow * perimeter(shape.polygon);
 }

@@ -87,7 +87,7 @@ class Matching {
       const ShapeFit* fit = fitOf(n);
       if (!fit) continue;
       const RoomMove start = moveOf(fit->move.about(rooms_.shapes[n].middle), middle);
-      const bool isNew = std::none_of(starts.begin(), starts.end(), [&](const RoomMove& other) {
+      const bool isNew = !anyOf(starts, [&](const RoomMove& other) {
         return distance(other.shift, start.shift) < kSameStart.place;
       });
       if (isNew && norm(start.shift) >= kSameStart.place) starts.push_back(start);

@@ -143,9 +143,7 @@ std::string newId(SiteFile& file, bool isCorridor) {
   int& next = isCorridor ? file.nextCorridor : file.nextRoom;
   for (;;) {
     std::string id = (isCorridor ? "C" : "R") + std::to_string(next++);
-    if (std::none_of(file.rooms.begin(), file.rooms.end(),
-                     [&](const SiteRoom& room) { return room.id == id; }))
-      return id;
+    if (!anyOf(file.rooms, [&](const SiteRoom& room) { return room.id == id; })) return id;
   }
 }
 

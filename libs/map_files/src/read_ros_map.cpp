@@ -5,6 +5,7 @@
 #include "readers.h"
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/grid/GreyMap.h"
 #include "roomgraph/images/read_image.h"
@@ -112,10 +113,9 @@ bool isSavedByHumble(const RosMapYaml& ros, const std::vector<std::uint8_t>& gre
   constexpr std::uint8_t unknown = 205, darkestFree = 192;
   if (std::abs(ros.freeBelow - threshold) > kRounding || ros.negate || ros.mode != "trinary")
     return false;
-  const auto count = std::count(grey.begin(), grey.end(), unknown);
-  const auto darker = std::count_if(grey.begin(), grey.end(), [](std::uint8_t level) {
-    return level >= darkestFree && level < unknown;
-  });
+  const auto count = countIf(grey, [](std::uint8_t level) { return level == unknown; });
+  const auto darker =
+      countIf(grey, [](std::uint8_t level) { return level >= darkestFree && level < unknown; });
   return count > 0 && darker <= count / 100;
 }
 

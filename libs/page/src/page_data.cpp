@@ -8,7 +8,6 @@
 
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/sequences.h"
-#include "roomgraph/breaks/frames_at_break.h"
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/geometry/point_json.h"
 #include "roomgraph/page/site_pictures.h"
@@ -33,8 +32,8 @@ Json placesJson(const std::vector<Point>& places) {
   return numbers;
 }
 
-Json scansJson(const Comparison& comparison, const MapBreak& tear, const std::vector<Run>& runs) {
-  const BreakScans scans = breakScans(comparison, tear, runs);
+Json scansJson(const Comparison& comparison, const Fault& fault, const std::vector<Run>& runs) {
+  const BreakScans scans = breakScans(comparison, fault, runs);
   return {{"before", placesJson(scans.before)}, {"behind", placesJson(scans.behind)}};
 }
 
@@ -127,27 +126,29 @@ std::string pageData(const Comparison& comparison, const std::vector<Run>& runs)
                         {"added", added ? pointJson(*added->place) : Json()}});
   }
   const SitePicture heat = heatPicture(disagreementOf(known, heatCellOf(site, known)));
-  const auto scansAt = [&](const MapBreak& tear) { return scansJson(comparison, tear, runs); };
+  const auto scansAt = [&](const Fault& fault) { return scansJson(comparison, fault, runs); };
   const Json data = {{"turn", turn},
                      {"box", boxJson(site)},
                      {"hasMaps", !known.empty()},
                      {"heat", pictureJson(heat)},
                      {"runs", std::move(runsJson)},
-                     {"breaks", mapped(comparison.breaks, scansAt)}};
+                     {"breaks", mapped(faultsOf(comparison), scansAt)}};
   return safeInScript(data.dump());
 }
 
-BreakScans breakScans(const Comparison& comparison, const MapBreak& tear,
+BreakScans breakScans(const Comparison& comparison, const Fault& fault,
                       const std::vector<Run>& runs) {
-  const Run* run = findRun(runs, tear.run);
-  const ComparedRun* placed = findRun(comparison.runs, tear.run);
+  const Run* run = findRun(runs, fault.run);
+  const ComparedRun* placed = findRun(comparison.runs, fault.run);
   if (!run || !placed) return {};
   const Motion2D move(placed->pose);
   BreakScans scans;
-  const FramesAtBreak frames = framesAtBreak(tear, run->scans);
-  for (std::size_t k = frames.first; k < frames.end; ++k)
-    for (const WallPoint& wall : run->scans[k].walls)
-      (k < frames.behind ? scans.before : scans.behind).push_back(move(wall.place));
+  for (const ScanWalls& scan : run->scans) {
+    const bool isBehind = fault.later.holds(scan.keyFrame);
+    if (!isBehind && !fault.earlier.holds(scan.keyFrame)) continue;
+    for (const WallPoint& wall : scan.walls)
+      (isBehind ? scans.behind : scans.before).push_back(move(wall.place));
+  }
   return {thinned(scans.before), thinned(scans.behind)};
 }
 

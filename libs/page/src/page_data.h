@@ -5,6 +5,7 @@
 
 #include "roomgraph/compare/Comparison.h"
 #include "roomgraph/relate/Run.h"
+#include "roomgraph/report/faults.h"
 
 namespace roomgraph {
 
@@ -34,7 +35,7 @@ std::string fixedText(std::optional<double> value, int digits);
 struct BreakScans {
   std::vector<Point> before, behind;
 };
-BreakScans breakScans(const Comparison& comparison, const MapBreak& tear,
+BreakScans breakScans(const Comparison& comparison, const Fault& fault,
                       const std::vector<Run>& runs);
 
 /** RFC 4648, with padding, on one line. */

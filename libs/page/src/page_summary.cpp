@@ -21,7 +21,7 @@ std::string quoted(const std::string& word) {
     return std::isalnum(static_cast<unsigned char>(c)) ||
            std::string("-_./=+:,%@").find(c) != std::string::npos;
   };
-  if (!word.empty() && std::all_of(word.begin(), word.end(), isPlain)) return word;
+  if (!word.empty() && allOf(word, isPlain)) return word;
   std::string text = "'";
   for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return text + "'";
@@ -123,9 +123,8 @@ std::string pageVerdict(const Comparison& comparison) {
 }
 
 std::string pageCounts(const Comparison& comparison) {
-  const auto pairs = std::size_t(
-      std::count_if(comparison.pairs.begin(), comparison.pairs.end(),
-                    [&](const ComparedPair& pair) { return comparison.hasBoth(pair); }));
+  const auto pairs =
+      countIf(comparison.pairs, [&](const ComparedPair& pair) { return comparison.hasBoth(pair); });
   std::string text = counted(comparison.runs.size(), "run", "runs") + " of one site, " +
                      counted(pairs, "pair", "pairs");
   if (!comparison.rooms.empty())

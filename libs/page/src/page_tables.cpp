@@ -9,6 +9,7 @@
 #include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/base/utf8_text.h"
 #include "roomgraph/base/version.h"
@@ -65,8 +66,7 @@ void setChanges(Json& row, const SiteRoom& room) {
   add(split, "split"), add(merged, "merged"), add(gained, "new door"), add(lost, "lost door");
   row["changes"] = changes;
   const bool isSeenByAll =
-      std::all_of(room.runs.begin(), room.runs.end(),
-                  [](const RoomInRun& one) { return one.sighting == RoomSighting::seen; });
+      allOf(room.runs, [](const RoomInRun& one) { return one.sighting == RoomSighting::seen; });
   row["isSame"] = isSeenByAll && changes.empty();
 }
 
@@ -224,8 +224,7 @@ class Tables {
   }
 
   std::size_t breaksOf(const std::string& run) const {
-    return std::size_t(std::count_if(comparison_.breaks.begin(), comparison_.breaks.end(),
-                                     [&](const MapBreak& tear) { return tear.run == run; }));
+    return countIf(comparison_.breaks, [&](const MapBreak& tear) { return tear.run == run; });
   }
 
   /** The verdict counts no slight ones: "1 + 1 slight". */

@@ -8,6 +8,7 @@
 #include "roomgraph/align/LocalScan.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/xml_text.h"
 #include "roomgraph/breaks/MapBreak.h"
 #include "roomgraph/geometry/Polygon.h"
@@ -63,8 +64,7 @@ std::string picture(const Drawing& drawing, const std::string& viewBox, const ch
   std::string known, driven;
   for (std::size_t k = 1; k < drawing.path.size(); ++k) {
     const std::size_t frame = run.scans[k].keyFrame;
-    const bool isUnseen = std::any_of(unseen.begin(), unseen.end(),
-                                      [&](const KeyFrames& some) { return some.holds(frame); });
+    const bool isUnseen = anyOf(unseen, [&](const KeyFrames& some) { return some.holds(frame); });
     const Point from = drawing.path[k - 1], to = drawing.path[k];
     (isUnseen ? driven : known) += formatted("M%.0f %.0fL%.0f %.0f", from.x, from.y, to.x, to.y);
   }
@@ -135,12 +135,12 @@ std::string section(const ShownRepair& shown) {
 }  // namespace
 
 std::string repairPage(const std::vector<ShownRepair>& repairs) {
-  const auto mended = std::count_if(repairs.begin(), repairs.end(), [](const ShownRepair& shown) {
+  const auto mended = countIf(repairs, [](const ShownRepair& shown) {
     return shown.repaired->state == RepairState::mended;
   });
   SimplePage page;
   page.title = page.heading = "Repaired runs", page.subject = "runs before and after their repair";
-  page.counts = formatted("%zu of %zu mended.", std::size_t(mended), repairs.size());
+  page.counts = formatted("%zu of %zu mended.", mended, repairs.size());
   // The picture before lies over the one after; its right edge can be drawn.
   page.style =
       ".swipe{position:relative;container-type:inline-size;border:1px solid var(--line);"

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "roomgraph/base/sequences.h"
+
 namespace roomgraph {
 namespace {
 
@@ -189,9 +191,7 @@ int heatLevel(double share) {
 
 SitePicture heatPicture(const Disagreement& disagreement) {
   const GridFrame& frame = disagreement.frame;
-  if (std::none_of(disagreement.shares.begin(), disagreement.shares.end(),
-                   [](float share) { return share > 0; }))
-    return {boxOf(frame), ""};
+  if (!anyOf(disagreement.shares, [](float share) { return share > 0; })) return {boxOf(frame), ""};
   PaletteImage image{frame.width, frame.height, {{}}, {}, {0}};
   image.palette.insert(image.palette.end(), heatColours().begin(), heatColours().end());
   image.alphas.resize(image.palette.size(), 225);

@@ -6,7 +6,6 @@
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/utf8_text.h"
 #include "roomgraph/measures/measure_kinds.h"
-#include "roomgraph/report/json_parts.h"
 
 namespace roomgraph {
 namespace {

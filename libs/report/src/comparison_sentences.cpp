@@ -7,6 +7,7 @@
 
 #include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {
@@ -16,8 +17,7 @@ std::string largestBreak(const Comparison& comparison) {
   const auto isSlight = [](const MapBreak& one) { return one.kind() == BreakClass::slight; };
   const std::vector<MapBreak>& breaks = comparison.breaks;  // the largest first
   const MapBreak& largest = *std::find_if_not(breaks.begin(), breaks.end(), isSlight);
-  const bool isOnly =
-      std::count_if(breaks.begin(), breaks.end(), isSlight) + 1 == std::ptrdiff_t(breaks.size());
+  const bool isOnly = countIf(breaks, isSlight) + 1 == breaks.size();
   std::string text = isOnly ? "," : ". The largest break: " + largest.run;
   if (largest.keyFrame) text += " from key frame " + std::to_string(*largest.keyFrame) + " on,";
   if (text.back() != ',') text += ",";

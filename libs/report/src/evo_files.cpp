@@ -7,6 +7,7 @@
 
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/base/zip_archive.h"
 
@@ -14,8 +15,7 @@ namespace roomgraph {
 namespace {
 
 bool isTimed(const ComparedRun& run) {
-  return std::all_of(run.path.begin(), run.path.end(),
-                     [](const PathPose& at) { return at.time.has_value(); });
+  return allOf(run.path, [](const PathPose& at) { return at.time.has_value(); });
 }
 
 /** What evo knows the places of a path by, those whose error is known. */

@@ -6,12 +6,21 @@
 #include <utility>
 
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/breaks/frames_at_break.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/relate/Run.h"
 #include "roomgraph/report/run_check_json.h"
 
 namespace roomgraph {
 namespace {
+
+constexpr std::size_t kFramesBeside = 10;  // scans that are shown on either side of a fault
+
+/** The place in a path of the first scan from a key frame on; none behind its end. */
+template <class Path>
+std::optional<std::size_t> scanFrom(std::size_t keyFrame, const Path& path) {
+  const auto* found = findIf(path, [&](const auto& at) { return at.keyFrame >= keyFrame; });
+  return found ? std::optional(std::size_t(found - path.data())) : std::nullopt;
+}
 
 /** A break that says nothing of itself yet; `path` is that of its run. */
 template <class Path>
@@ -19,23 +28,21 @@ Fault faultAt(const MapBreak& tear, const Path& path) {
   Fault fault;
   fault.run = tear.run, fault.place = tear.place, fault.keyFrame = tear.keyFrame;
   if (tear.torn) fault.mend = tear.torn->mend();
-  const FramesAtBreak frames = framesAtBreak(tear, path);
-  if (frames.first < frames.behind)
-    fault.earlier = {path[frames.first].keyFrame, path[frames.behind - 1].keyFrame};
-  if (frames.behind < frames.end)
-    fault.later = {path[frames.behind].keyFrame, path[frames.end - 1].keyFrame};
+  const auto behind = tear.keyFrame ? scanFrom(*tear.keyFrame, path) : std::nullopt;
+  if (!behind) return fault;
+  const std::size_t first = *behind - std::min(*behind, kFramesBeside),
+                    end = std::min(path.size(), *behind + kFramesBeside);
+  if (first < *behind) fault.earlier = {path[first].keyFrame, path[*behind - 1].keyFrame};
+  fault.later = {path[*behind].keyFrame, path[end - 1].keyFrame};
   return fault;
 }
 
 /** The scans beside the one at which a stretch is shown. */
 KeyFrames framesOf(const DrawnStretch& stretch, const std::vector<CheckedPose>& path) {
-  const auto found = std::find_if(path.begin(), path.end(), [&](const CheckedPose& pose) {
-    return pose.keyFrame >= stretch.keyFrame;
-  });
-  if (found == path.end()) return {};
-  const auto scan = std::size_t(found - path.begin());
-  return {path[scan - std::min(scan, kFramesAtBreak)].keyFrame,
-          path[std::min(path.size() - 1, scan + kFramesAtBreak)].keyFrame};
+  const auto scan = scanFrom(stretch.keyFrame, path);
+  if (!scan) return {};
+  return {path[*scan - std::min(*scan, kFramesBeside)].keyFrame,
+          path[std::min(path.size() - 1, *scan + kFramesBeside)].keyFrame};
 }
 
 Fault faultOf(FaultKind kind, const DrawnStretch& one, const DrawnStretch& other,

@@ -1,6 +1,5 @@
 #include "roomgraph/report/gate_report.h"
 
-#include <algorithm>
 #include <boost/algorithm/string/join.hpp>
 
 #include "roomgraph/base/printable.h"
@@ -99,11 +98,9 @@ std::string resultOf(const TestCase& run) {
 }
 
 std::string junitOf(const std::vector<TestCase>& runs) {
-  const auto failures = std::count_if(runs.begin(), runs.end(),
-                                      [](const TestCase& run) { return !run.complaints.empty(); });
-  const auto skipped = std::count_if(runs.begin(), runs.end(), [](const TestCase& run) {
-    return run.complaints.empty() && !run.skipped.empty();
-  });
+  const auto failures = countIf(runs, [](const TestCase& run) { return !run.complaints.empty(); });
+  const auto skipped = countIf(
+      runs, [](const TestCase& run) { return run.complaints.empty() && !run.skipped.empty(); });
   const std::string counts =
       "tests=\"" + std::to_string(runs.size()) + "\" failures=\"" + std::to_string(failures) + "\"";
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites " + counts +

@@ -28,6 +28,34 @@ template <class List, class Value>
   return std::find(std::begin(list), std::end(list), value) != std::end(list);
 }
 
+/** Whether one of the things fits: `fits`, a function or a member, tells. */
+template <class Things, class Fits>
+[[nodiscard]] bool anyOf(const Things& things, const Fits& fits) {
+  return std::any_of(std::begin(things), std::end(things),
+                     [&](const auto& thing) { return std::invoke(fits, thing); });
+}
+
+/** Whether all of them fit. */
+template <class Things, class Fits>
+[[nodiscard]] bool allOf(const Things& things, const Fits& fits) {
+  return std::all_of(std::begin(things), std::end(things),
+                     [&](const auto& thing) { return std::invoke(fits, thing); });
+}
+
+/** How many of them fit. */
+template <class Things, class Fits>
+[[nodiscard]] std::size_t countIf(const Things& things, const Fits& fits) {
+  return std::size_t(std::count_if(std::begin(things), std::end(things),
+                                   [&](const auto& thing) { return std::invoke(fits, thing); }));
+}
+
+/** The first of them that fits; null for none. */
+template <class Things, class Fits>
+[[nodiscard]] auto findIf(Things& things, const Fits& fits) {
+  const auto found = std::find_if(std::begin(things), std::end(things), fits);
+  return found == std::end(things) ? nullptr : &*found;
+}
+
 /** The numbers from `first` to before `end`. */
 [[nodiscard]] inline std::vector<std::size_t> numbersFrom(std::size_t first, std::size_t end) {
   std::vector<std::size_t> numbers(end - first);
