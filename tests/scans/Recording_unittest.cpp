@@ -6,7 +6,6 @@
 #include "drawn_cloud.h"
 #include "map_files.h"
 #include "newer_simplemap.h"
-#include "roomgraph/base/Error.h"
 #include "roomgraph/map_files/read_recording.h"
 
 namespace roomgraph {
