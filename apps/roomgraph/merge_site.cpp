@@ -25,7 +25,7 @@
 #include "roomgraph/repair/merge_runs.h"
 #include "roomgraph/repair/repair_runs.h"
 #include "roomgraph/report/site_json.h"
-#include "roomgraph/scans/StoredPose.h"
+#include "roomgraph/scans/read_simplemap.h"
 #include "roomgraph/scans/rewrite_simplemap.h"
 #include "run_in_order.h"
 #include "terminal.h"
@@ -102,10 +102,10 @@ std::string siteSimplemap(const Merging& merging, const MergedMap& map) {
   for (std::size_t r = 0; r < merging.runs.size(); ++r) {
     CheckedFile file(merging.from[r]->file);
     SimplemapPart& part = parts.emplace_back();
-    part.stored = readStoredPoses(file);
-    part.content = movePoses(file.content(), file.name(), part.stored,
-                             keyFrameMoves(*merging.from[r], merging.poses[r], part.stored));
-    std::vector<bool> isLeftOut(part.stored.frames.size());
+    part.recording = readSimplemap(file);
+    part.content = movePoses(file.content(), part.recording,
+                             keyFrameMoves(*merging.from[r], merging.poses[r], part.recording));
+    std::vector<bool> isLeftOut(part.recording.frames.size());
     for (const std::size_t k : map.leftOut[r]) isLeftOut.at(merging.runs[r].scans[k].number) = true;
     const bool isWhollyOut = map.leftOut[r].size() == merging.runs[r].scans.size();
     for (std::size_t k = 0; k < isLeftOut.size() && !isWhollyOut; ++k)

@@ -31,6 +31,12 @@ TEST(WallMap, wallsFaceTheFreeSpace) {
   }
 }
 
+TEST(Coarser, keepsWallsAndWhatIsMostlyFree) {
+  using S = State;
+  const Grid grid{{5, 1, 1, {}}, {S::free, S::occupied, S::free, S::unknown, S::free}};
+  EXPECT_EQ(coarser(grid, 2, 0).cells, (std::vector<State>{S::occupied, S::unknown, S::free}));
+}
+
 TEST(WallMap, measuresTheFreeSpace) {
   const WallMap map = wallMap(test::squareHall({}));
   EXPECT_NEAR(map.freeArea, 11.8 * 11.8 - 4, 4);

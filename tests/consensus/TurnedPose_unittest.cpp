@@ -2,7 +2,6 @@
 
 #include "RandomNumbers.h"
 #include "edge_cost.h"
-#include "roomgraph/consensus/belief.h"
 
 namespace roomgraph {
 namespace {

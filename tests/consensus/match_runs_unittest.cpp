@@ -6,7 +6,6 @@
 #include "drawn_drive.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/consensus/PoseGraph.h"
-#include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {
 namespace {

@@ -28,6 +28,21 @@ TEST(MotionFit, ofNothingIsNoMotion) {
   EXPECT_EQ(MotionFit().motion().phi, 0);
 }
 
+TEST(MotionFit, takesTheSumsOfPointsAsItTakesThePoints) {
+  const Transform2D from{1, 2, 0.3}, to{-4, 1, 2}, off{-4, 1.5, 2.2};
+  MotionFit bySums, byPoints;
+  for (const Transform2D& pose : {to, off}) {
+    PointSums sums;
+    for (const Point p : {Point{3, 1}, {-2, 5}, {0.5, -1}}) {
+      sums.add(p), byPoints.add(from(p), pose(p));
+    }
+    bySums.add(sums, from, pose);
+  }
+  EXPECT_NEAR(bySums.motion().phi, byPoints.motion().phi, 1e-12);
+  EXPECT_NEAR(bySums.rest(), byPoints.rest(), 1e-12);
+  EXPECT_NEAR(bySums.reach(), byPoints.reach(), 1e-12);
+}
+
 TEST(MotionFit, hasTheLeastSquaresOfAllMotionsNearIt) {
   const std::vector<std::pair<Point, Point>> pairs{
       {{0, 0}, {0.1, 0}}, {{4, 0}, {4.2, 0.3}}, {{4, 3}, {3.7, 3.4}}, {{0, 3}, {-0.3, 2.8}}};
@@ -39,6 +54,7 @@ TEST(MotionFit, hasTheLeastSquaresOfAllMotionsNearIt) {
     return sum;
   };
   const Transform2D best = fit.motion();
+  EXPECT_NEAR(fit.rest(), std::sqrt(squares(best) / 4), 1e-12);
   for (const double step : {-0.01, 0.01}) {
     EXPECT_GT(squares({best.x + step, best.y, best.phi}), squares(best));
     EXPECT_GT(squares({best.x, best.y + step, best.phi}), squares(best));

@@ -54,13 +54,13 @@ TEST(OwnMeasures, areOfTheMapAlone) {
     EXPECT_EQ(measured.support, double(run.map.walls.size()));
     EXPECT_FALSE(measured.low);
   }
-  EXPECT_FALSE(scanDisagreementOf(run).value) << "no scans";
+  EXPECT_FALSE(scanDisagreement(run.scans).value) << "no scans";
   std::vector<Keyframe> frames = test::drawnDrive(grid);
   const std::vector<Keyframe> back(frames.rbegin(), frames.rend());
   frames.insert(frames.end(), back.begin(), back.end());
   run.scans = scanWalls(frames);
-  EXPECT_TRUE(scanDisagreementOf(run).value);
-  EXPECT_GT(scanDisagreementOf(run).support, 10);
+  EXPECT_TRUE(scanDisagreement(run.scans).value);
+  EXPECT_GT(scanDisagreement(run.scans).support, 10);
 }
 
 /** A drive to the end of a corridor and back again; the way back may be shifted as a whole. */
@@ -77,7 +77,7 @@ std::vector<ScanWalls> thereAndBack(Point shift) {
 }
 
 TEST(ScanDisagreement, aTrueDriveHasLittle) {
-  const Figure found = scanDisagreement(thereAndBack({}));
+  const MeasuredValue found = scanDisagreement(thereAndBack({}));
   EXPECT_LT(found.value.value(), 0.06);
   EXPECT_GT(found.support, 30);
 }
@@ -93,7 +93,7 @@ TEST(ScanDisagreement, growsWithTheShiftOfTheSecondVisit) {
 TEST(ScanDisagreement, theSameSceneAMomentLaterTellsNothing) {
   std::vector<ScanWalls> scans = thereAndBack({});
   scans.resize(9);  // 4 m of path
-  const Figure found = scanDisagreement(scans);
+  const MeasuredValue found = scanDisagreement(scans);
   EXPECT_FALSE(found.value);
   EXPECT_EQ(found.support, 0);
 }
@@ -112,15 +112,15 @@ TEST(ScanDisagreement, theFrameOfTheRunChangesLittle) {
     for (WallPoint& wall : scan.walls)
       wall.place = motion(wall.place), wall.normal = turned(wall.normal, motion.phi);
   }
-  const Figure there = scanDisagreement(scans);
+  const MeasuredValue there = scanDisagreement(scans);
   EXPECT_NEAR(there.value.value(), here, 1e-6);
 }
 
 TEST(ScanDisagreement, drivenBackwardsIsTheSameDrive) {
   std::vector<ScanWalls> scans = thereAndBack({0.1, 0.15});
-  const Figure forth = scanDisagreement(scans);
+  const MeasuredValue forth = scanDisagreement(scans);
   std::reverse(scans.begin(), scans.end());
-  const Figure back = scanDisagreement(scans);
+  const MeasuredValue back = scanDisagreement(scans);
   EXPECT_NEAR(back.value.value(), forth.value.value(), 1e-9);
   EXPECT_EQ(back.support, forth.support);
 }
@@ -130,7 +130,7 @@ TEST(ScanDisagreement, wallsThatFaceAwayAreNotTheSame) {
   const std::size_t half = scans.size() / 2;
   for (std::size_t k = half; k < scans.size(); ++k)
     for (WallPoint& wall : scans[k].walls) wall.normal = -1.0 * wall.normal;
-  const Figure found = scanDisagreement(scans);
+  const MeasuredValue found = scanDisagreement(scans);
   EXPECT_LT(found.support, scanDisagreement(thereAndBack({})).support);
 }
 

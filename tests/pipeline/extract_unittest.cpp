@@ -10,7 +10,6 @@
 #include "MapText.h"
 #include "brute_force.h"
 #include "random_maps.h"
-#include "roomgraph/base/Error.h"
 #include "roomgraph/geometry/Polyline.h"
 #include "roomgraph/rooms/find_rooms.h"
 #include "roomgraph/rooms/trace_rooms.h"

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "drawn_building.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/relate/relate_maps.h"

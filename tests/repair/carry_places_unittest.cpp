@@ -7,7 +7,6 @@
 
 #include "repaired_site.h"
 #include "roomgraph/align/wall_map.h"
-#include "roomgraph/repair/sound_frame.h"
 #include "sample_drives.h"
 #include "sampled_grid.h"
 

@@ -11,14 +11,11 @@ namespace {
 struct SevenFrames {
   Run run;
   RepairedRun repaired;
-  StoredPoses stored;
+  Recording recording;
 
   SevenFrames() {
-    for (int k = 0; k < 7; ++k) {
-      StoredPose pose;
-      pose.place = {double(k), 0, 0.3};
-      stored.frames.push_back(pose);
-    }
+    for (int k = 0; k < 7; ++k)
+      recording.frames.emplace_back().robot = mrpt::poses::CPose3D(k, 0, 0.3, 0, 0, 0);
     for (const std::size_t k : {1u, 5u}) {
       ScanWalls scan;
       scan.keyFrame = k, scan.pose = {double(k), 0, 0};
@@ -29,7 +26,7 @@ struct SevenFrames {
   }
 
   Transform2D movedAt(std::size_t k) const {
-    return keyFrameMoves(run, repaired, stored)[k].motion * Transform2D{double(k), 0, 0};
+    return keyFrameMoves(run, repaired, recording)[k].motion * Transform2D{double(k), 0, 0};
   }
 };
 
@@ -46,14 +43,14 @@ TEST(KeyFrameMoves, thoseWithoutAScanAreAsSureAsTheirNeighboursAre) {
   SevenFrames seven;
   seven.repaired.covariances = {{0.1, 0, 0, 0, 0, 0}, {0.5, 0, 0, 0, 0, 0}};
   const double expected[] = {0.1, 0.1, 0.2, 0.3, 0.4, 0.5, 0.5};
-  const std::vector<PoseMove> moves = keyFrameMoves(seven.run, seven.repaired, seven.stored);
+  const std::vector<PoseMove> moves = keyFrameMoves(seven.run, seven.repaired, seven.recording);
   for (std::size_t k = 0; k < 7; ++k) EXPECT_NEAR(moves[k].covariance->xx, expected[k], 1e-12) << k;
 }
 
 TEST(KeyFrameMoves, aRunThatIsLeftAsItWasDoesNotMove) {
   SevenFrames seven;
   seven.repaired.state = RepairState::kept;
-  for (const PoseMove& move : keyFrameMoves(seven.run, seven.repaired, seven.stored)) {
+  for (const PoseMove& move : keyFrameMoves(seven.run, seven.repaired, seven.recording)) {
     EXPECT_EQ(move.motion.shift(), (Point{0, 0}));
     EXPECT_EQ(move.motion.phi, 0);
     EXPECT_FALSE(move.covariance);

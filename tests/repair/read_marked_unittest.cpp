@@ -2,7 +2,6 @@
 
 #include "TestFolder.h"
 #include "carried_by.h"
-#include "map_files.h"
 #include "refusal.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/repair/MarkedFile.h"

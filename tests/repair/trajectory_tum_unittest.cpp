@@ -8,14 +8,14 @@
 namespace roomgraph {
 namespace {
 
-StoredPoses atTimes(const std::vector<std::optional<double>>& times) {
-  StoredPoses stored;
+Recording atTimes(const std::vector<std::optional<double>>& times) {
+  Recording recording;
   for (const auto& time : times) {
-    StoredPose pose;
-    pose.place = {1, 2, 0.5}, pose.time = time;
-    stored.frames.push_back(pose);
+    Recording::Frame& frame = recording.frames.emplace_back();
+    frame.robot = mrpt::poses::CPose3D(1, 2, 0.5, 0, 0, 0);
+    if (time) frame.scans.emplace_back().time = mrpt::Clock::fromDouble(*time);
   }
-  return stored;
+  return recording;
 }
 
 TEST(TrajectoryTum, isALineForEachKeyFrame) {
@@ -25,8 +25,8 @@ TEST(TrajectoryTum, isALineForEachKeyFrame) {
             "0.707106781\n");
 }
 
-std::vector<std::string> timesIn(const StoredPoses& stored) {
-  const std::string text = trajectoryTum(stored, std::vector<PoseMove>(stored.frames.size()));
+std::vector<std::string> timesIn(const Recording& recording) {
+  const std::string text = trajectoryTum(recording, std::vector<PoseMove>(recording.frames.size()));
   std::vector<std::string> times;
   for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1)
     times.push_back(text.substr(at, text.find(' ', at) - at));

@@ -6,9 +6,9 @@
 namespace roomgraph::test {
 
 /** The graph cut at the rooms' polygons, with room ids. */
-inline TopologyGraph cutAtRooms(const TopologyGraph& graph, const Rooms& rooms, double minLength) {
+inline TopologyGraph cutAtRooms(const TopologyGraph& graph, const Rooms& rooms) {
   const PathStretches stretches = borderVertices(graph, rooms, kClearance, kEpsilon);
-  return roomIds(cutPaths(graph, stretches), rooms, minLength);
+  return roomIds(cutPaths(graph, stretches), rooms);
 }
 
 }  // namespace roomgraph::test

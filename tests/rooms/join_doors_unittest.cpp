@@ -10,8 +10,7 @@ namespace {
 
 /** A path from room 0 at the origin to room 1 through a door `depth` deep. */
 TopologyGraph throughADoor(double depth) {
-  return cutAtRooms(line({{2, 2}, {6 + depth, 2}}), {squareRoom(0, 0), squareRoom(4 + depth, 0)},
-                    1);
+  return cutAtRooms(line({{2, 2}, {6 + depth, 2}}), {squareRoom(0, 0), squareRoom(4 + depth, 0)});
 }
 
 TEST(JoinDoors, makesOneBorderVertexOfAShallowDoor) {
@@ -30,7 +29,7 @@ TEST(JoinDoors, makesOneBorderVertexOfAShallowDoor) {
 
 TEST(JoinDoors, leavesADoorBackIntoTheSameRoom) {
   const TopologyGraph cut =
-      cutAtRooms(line({{2, 1}, {4.1, 1}, {4.1, 1.2}, {2, 1.2}}), {squareRoom(0, 0)}, 0);
+      cutAtRooms(line({{2, 1}, {4.1, 1}, {4.1, 1.2}, {2, 1.2}}), {squareRoom(0, 0)});
   JoinDoorsOptions options;
   options.maxDepth = 1;
   EXPECT_EQ(joinDoors(cut, options).edges().size(), cut.edges().size());
@@ -48,7 +47,7 @@ TEST(JoinDoors, keepsTheWayAsLongAsItWas) {
 TEST(JoinDoors, leavesADoorWithABranch) {
   const TopologyGraph graph =
       straightWays({{2, 2}, {4.2, 2}, {6.4, 2}, {4.2, 9}}, {{0, 1}, {1, 2}, {1, 3}});
-  const TopologyGraph cut = cutAtRooms(graph, {squareRoom(0, 0), squareRoom(4.4, 0)}, 0);
+  const TopologyGraph cut = cutAtRooms(graph, {squareRoom(0, 0), squareRoom(4.4, 0)});
   JoinDoorsOptions options;
   options.maxDepth = 0.5;
   EXPECT_EQ(countOf(joinDoors(cut, options), VertexKind::border), 2u);

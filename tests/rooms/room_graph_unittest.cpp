@@ -14,7 +14,7 @@ const ObstacleCells kNoObstacle{{1, 1, 1, {}}, {}};
 
 TEST(RoomGraph, numbersRoomsAnewAndTellsOfThoseLeftOut) {
   const Rooms rooms{squareRoom(20, 20), squareRoom(0, 0)};
-  const TopologyGraph cut = cutAtRooms(line({{2, 2}, {9, 2}}), rooms, 1);
+  const TopologyGraph cut = cutAtRooms(line({{2, 2}, {9, 2}}), rooms);
   Notes notes;
   const RoomGraph result = roomGraph(cut, rooms, ObstacleRows(kNoObstacle), kClearance, {}, notes);
   ASSERT_EQ(result.rooms.size(), 1u);
@@ -32,8 +32,8 @@ TEST(RoomGraph, takesWhatIsInsideOutAndJoinsTheRoomToItsBorders) {
       straightWays({{1.5, 1.5}, {9, 1.5}, {1.5, 9}, {0.5, 0.5}}, {{0, 1}, {0, 2}, {0, 3}});
   const Rooms rooms{squareRoom(0, 0)};
   Notes notes;
-  const RoomGraph result = roomGraph(cutAtRooms(graph, rooms, 1), rooms, ObstacleRows(kNoObstacle),
-                                     kClearance, {}, notes);
+  const RoomGraph result =
+      roomGraph(cutAtRooms(graph, rooms), rooms, ObstacleRows(kNoObstacle), kClearance, {}, notes);
   EXPECT_TRUE(notes.empty());
   ASSERT_EQ(result.rooms.size(), 1u);
   EXPECT_EQ(result.rooms[0].borderVertices.size(), 2u);
@@ -47,7 +47,7 @@ TEST(RoomGraph, takesWhatIsInsideOutAndJoinsTheRoomToItsBorders) {
 TEST(RoomGraph, aRoomWithoutAWayOutIsAVertexWithoutEdges) {
   const Rooms rooms{squareRoom(0, 0)};
   Notes notes;
-  const RoomGraph result = roomGraph(cutAtRooms(line({{1, 1}, {3, 3}}), rooms, 1), rooms,
+  const RoomGraph result = roomGraph(cutAtRooms(line({{1, 1}, {3, 3}}), rooms), rooms,
                                      ObstacleRows(kNoObstacle), kClearance, {}, notes);
   ASSERT_EQ(result.rooms.size(), 1u);
   EXPECT_TRUE(result.rooms[0].borderVertices.empty());
@@ -59,7 +59,7 @@ TEST(RoomGraph, doesNotStandWhereAnObstacleIs) {
   // A pillar at the centroid: the vertex moves onto the path, unless straight edges are asked for.
   const ObstacleCells pillar{{8, 8, 0.5, {0, 0}}, {{3, 3}, {3, 4}, {4, 3}, {4, 4}}};
   const Rooms rooms{squareRoom(0, 0)};
-  const TopologyGraph cut = cutAtRooms(line({{1, 0.8}, {3, 0.8}, {9, 0.8}}), rooms, 1);
+  const TopologyGraph cut = cutAtRooms(line({{1, 0.8}, {3, 0.8}, {9, 0.8}}), rooms);
   Notes notes;
   const auto centre = [&](bool straightEdges) {
     RoomGraphOptions options;
@@ -78,7 +78,7 @@ TopologyGraph crossing() {
 TEST(RoomGraph, theVertexOfARoomHasAnEdgeToEachOfItsBordersAndToNothingElse) {
   const Rooms rooms{squareRoom(0, 0)};
   Notes notes;
-  const RoomGraph result = roomGraph(cutAtRooms(crossing(), rooms, 1), rooms,
+  const RoomGraph result = roomGraph(cutAtRooms(crossing(), rooms), rooms,
                                      ObstacleRows(kNoObstacle), kClearance, {}, notes);
   ASSERT_EQ(result.rooms.size(), 1u);
   const GraphRoom& room = result.rooms[0];
@@ -114,7 +114,7 @@ TEST(RoomGraph, whatIsOutsideOfRoomsStaysAsItIs) {
 TEST(RoomGraph, theWayBetweenTwoRoomsIsKept) {
   const Rooms rooms{squareRoom(0, 0), squareRoom(6, 0)};
   Notes notes;
-  const RoomGraph result = roomGraph(cutAtRooms(line({{2, 2}, {8, 2}}), rooms, 1), rooms,
+  const RoomGraph result = roomGraph(cutAtRooms(line({{2, 2}, {8, 2}}), rooms), rooms,
                                      ObstacleRows(kNoObstacle), kClearance, {}, notes);
   ASSERT_EQ(result.rooms.size(), 2u);
   EXPECT_TRUE(notes.empty());

@@ -14,26 +14,15 @@ TEST(RoomIds, aVertexOnThePolygonBecomesABorderVertex) {
   const auto stretches = borderVertices(graph, rooms, kClearance, kEpsilon);
   EXPECT_EQ(stretches[0].size(), 1u);
   EXPECT_EQ(stretches[1].size(), 1u);
-  const TopologyGraph ids = roomIds(cutPaths(graph, stretches), rooms, 1);
+  const TopologyGraph ids = roomIds(cutPaths(graph, stretches), rooms);
   EXPECT_EQ(ids.vertices()[1].kind, VertexKind::border);
   EXPECT_EQ(ids.vertices()[1].room, RoomId(0));
   EXPECT_EQ(ids.vertices()[0].room, RoomId(0));
   EXPECT_FALSE(ids.vertices()[2].room);
 }
 
-/** The corridor's room of a path from the middle of a room through its right side to `x`. */
-RoomId roomOfDeadEnd(double x) {
-  return cutAtRooms(line({{2, 2}, {x, 2}}), {squareRoom(0, 0)}, 1).edges()[1].room;
-}
-
-TEST(RoomIds, aShortDeadEndBelongsToItsRoom) {
-  // III-E, case B.
-  EXPECT_EQ(roomOfDeadEnd(4.9), RoomId(0));
-  EXPECT_FALSE(roomOfDeadEnd(5.1));
-}
-
 TEST(RoomIds, aLoneVertexGetsTheRoomAtItsPlace) {
-  const TopologyGraph ids = roomIds(straightWays({{1, 1}, {9, 1}}, {}), {squareRoom(0, 0)}, 1);
+  const TopologyGraph ids = roomIds(straightWays({{1, 1}, {9, 1}}, {}), {squareRoom(0, 0)});
   EXPECT_EQ(ids.vertices()[0].room, RoomId(0));
   EXPECT_FALSE(ids.vertices()[1].room);
 }
@@ -42,7 +31,7 @@ TEST(RoomIds, aPathThatOnlyClipsACornerIsNotInTheRoom) {
   // One way leads through the room, the other, which is not connected to it there, clips it.
   const TopologyGraph graph =
       straightWays({{-3, 2}, {9, 2}, {-1, 2.5}, {1.5, 5}}, {{0, 1}, {2, 3}});
-  const TopologyGraph ids = cutAtRooms(graph, {squareRoom(0, 0)}, 0);
+  const TopologyGraph ids = cutAtRooms(graph, {squareRoom(0, 0)});
   ASSERT_EQ(ids.edges().size(), 6u);
   EXPECT_EQ(ids.edges()[1].room, RoomId(0)) << "the long way";
   EXPECT_FALSE(ids.edges()[4].room) << "the corner";

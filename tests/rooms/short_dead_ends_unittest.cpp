@@ -8,7 +8,7 @@ namespace roomgraph::test {
 namespace {
 
 /** A path from the middle of a room through its right side to `x`. */
-TopologyGraph outTo(double x) { return cutAtRooms(line({{2, 2}, {x, 2}}), {squareRoom(0, 0)}, 1); }
+TopologyGraph outTo(double x) { return cutAtRooms(line({{2, 2}, {x, 2}}), {squareRoom(0, 0)}); }
 
 TEST(RemoveShortDeadEnds, takesTheBorderVertexWithIt) {
   const TopologyGraph gone = removeShortDeadEnds(outTo(4.9), 1);
@@ -28,7 +28,7 @@ TEST(RemoveShortDeadEnds, takesAShortWayBackIntoTheSameRoom) {
           straight({{2, 1}, {4 + depth, 1}, {4 + depth, 1.2}, {2, 1}}),
           {}},
          {VertexId(0), VertexId(1), straight({{2, 1}, {1, 1}}), {}}});
-    return removeShortDeadEnds(cutAtRooms(graph, {squareRoom(0, 0)}, 1), 1);
+    return removeShortDeadEnds(cutAtRooms(graph, {squareRoom(0, 0)}), 1);
   };
   EXPECT_EQ(countOf(outAndBack(0.3), VertexKind::border), 0u);
   EXPECT_EQ(countOf(outAndBack(2), VertexKind::border), 2u);

@@ -6,7 +6,6 @@
 #include "drawn_cloud.h"
 #include "map_files.h"
 #include "newer_simplemap.h"
-#include "roomgraph/base/Error.h"
 #include "roomgraph/map_files/read_recording.h"
 
 namespace roomgraph {
@@ -26,6 +25,9 @@ TEST(Recording, countsWhatARunHolds) {
   ASSERT_TRUE(times);
   EXPECT_NEAR(times->second - times->first, 1, 1e-6);
   EXPECT_NEAR(times->first, 1.7e9 - 0.5, 1e-6);
+  EXPECT_EQ(run->frames[0].time(), times->first);
+  EXPECT_FALSE(run->frames[1].time());
+  for (std::size_t k = 1; k < 6; ++k) EXPECT_EQ(run->frames[k].begin, run->frames[k - 1].end);
   ASSERT_EQ(run->sensors.size(), 2u);
   for (const auto& [sensor, count] : run->sensors) {
     EXPECT_EQ(count, 3u) << sensor.name();

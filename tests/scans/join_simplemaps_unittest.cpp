@@ -2,17 +2,16 @@
 
 #include "map_files.h"
 #include "newer_simplemap.h"
-#include "roomgraph/scans/StoredPose.h"
+#include "recording_in.h"
 #include "roomgraph/scans/rewrite_simplemap.h"
-#include "stored_in.h"
 
 namespace roomgraph {
 namespace {
 
-using test::storedIn;
+using test::recordingIn;
 
 SimplemapPart partOf(const std::string& bytes, const std::vector<std::size_t>& frames) {
-  return {bytes, storedIn(bytes), frames};
+  return {bytes, recordingIn(bytes), frames};
 }
 
 TEST(JoinSimplemaps, allOfOneIsThatOne) {
@@ -27,12 +26,12 @@ TEST(JoinSimplemaps, allOfOneIsThatOne) {
 TEST(JoinSimplemaps, partsOfAnyVersionsAreReadBack) {
   const std::string older = test::asNewer(test::smallSimplemap(), {1, false, 7, false, false});
   const std::string newer = test::asNewer(test::smallSimplemap(), {2, true, 8, false, false});
-  const StoredPoses joined = storedIn(joinSimplemaps({partOf(older, {0, 2}), partOf(newer, {1})}));
-  EXPECT_EQ(joined.mapVersion, 2);
+  const Recording joined = recordingIn(joinSimplemaps({partOf(older, {0, 2}), partOf(newer, {1})}));
+  EXPECT_EQ(joined.version, 2);
   ASSERT_EQ(joined.frames.size(), 3u);
-  EXPECT_EQ(joined.frames[1].place, storedIn(older).frames[2].place);
-  EXPECT_EQ(joined.frames[2].place, storedIn(newer).frames[1].place);
-  EXPECT_EQ(joined.frames[2].time, storedIn(newer).frames[1].time);
+  EXPECT_EQ(joined.frames[1].robot, recordingIn(older).frames[2].robot);
+  EXPECT_EQ(joined.frames[2].robot, recordingIn(newer).frames[1].robot);
+  EXPECT_EQ(joined.frames[2].time(), recordingIn(newer).frames[1].time());
 }
 
 }  // namespace

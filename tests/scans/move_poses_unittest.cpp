@@ -10,15 +10,14 @@
 
 #include "map_files.h"
 #include "newer_simplemap.h"
+#include "recording_in.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/scans/StoredPose.h"
 #include "roomgraph/scans/rewrite_simplemap.h"
-#include "stored_in.h"
 
 namespace roomgraph {
 namespace {
 
-using test::storedIn;
+using test::recordingIn;
 
 using mrpt::poses::CPose3D;
 
@@ -33,10 +32,10 @@ ByteView viewOf(const std::string& bytes) {
 /** The object of the only pose of a map after its move. */
 std::string movedObject(const std::string& object, const PoseMove& move) {
   const std::string bytes = test::simplemapBytes(1, {object + test::frameBytes({})});
-  const StoredPoses stored = storedIn(bytes);
-  const std::string moved = movePoses(viewOf(bytes), "map", stored, {move});
+  const Recording recording = recordingIn(bytes);
+  const std::string moved = movePoses(viewOf(bytes), recording, {move});
   EXPECT_EQ(moved.size(), bytes.size());
-  return moved.substr(stored.frames[0].begin, object.size());
+  return moved.substr(recording.frames[0].begin, object.size());
 }
 
 template <class Pdf>
@@ -157,11 +156,8 @@ std::string olderGaussian(int version) {
 TEST(MovePoses, olderLayoutsOfAPose) {
   for (const int version : {0, 1, 2}) {
     const std::string moved = movedObject(olderGaussian(version), {kMotion, {}});
-    const auto stored = storedIn(test::simplemapBytes(1, {moved + test::frameBytes({})}));
-    const auto [x, y, z, w] = stored.frames[0].turn;
-    const mrpt::math::CQuaternionDouble q(w, x, y, z);
-    const auto [px, py, pz] = stored.frames[0].place;
-    expectMoved(CPose3D(q, px, py, pz), kPose);
+    const auto recording = recordingIn(test::simplemapBytes(1, {moved + test::frameBytes({})}));
+    expectMoved(recording.frames[0].robot, kPose);
   }
 }
 
@@ -169,29 +165,30 @@ TEST(MovePoses, nothingElseChanges) {
   for (const int version : {0, 1, 2}) {
     const std::string bytes =
         test::asNewer(test::smallSimplemap(), {version, version == 2, 8, true, true});
-    const StoredPoses stored = storedIn(bytes);
-    ASSERT_EQ(stored.frames.size(), 6u);
-    EXPECT_EQ(stored.mapVersion, version);
+    const Recording recording = recordingIn(bytes);
+    ASSERT_EQ(recording.frames.size(), 6u);
+    EXPECT_EQ(recording.version, version);
     std::vector<PoseMove> moves(6);
-    EXPECT_EQ(movePoses(viewOf(bytes), "map", stored, moves), bytes);
+    EXPECT_EQ(movePoses(viewOf(bytes), recording, moves), bytes);
     moves[2] = {kMotion, kSure};
-    const std::string moved = movePoses(viewOf(bytes), "map", stored, moves);
-    const std::size_t begin = stored.frames[2].begin;
+    const std::string moved = movePoses(viewOf(bytes), recording, moves);
+    const std::size_t begin = recording.frames[2].begin;
     const std::size_t frame = bytes.find("CSensoryFrame", begin);
     EXPECT_EQ(moved.substr(0, begin), bytes.substr(0, begin));
     EXPECT_NE(moved.substr(begin, frame - begin), bytes.substr(begin, frame - begin));
     EXPECT_EQ(moved.substr(frame), bytes.substr(frame));
-    EXPECT_EQ(stored.frames.front().begin, stored.headEnd);
-    EXPECT_EQ(stored.frames.back().end + 1, bytes.size());
+    EXPECT_EQ(recording.frames.back().end + 1, bytes.size());
   }
 }
 
 TEST(MovePoses, anotherFileIsRefused) {
   const std::string bytes = test::streamed(test::smallSimplemap());
-  const StoredPoses stored = storedIn(bytes);
-  EXPECT_THROW(movePoses(viewOf(bytes), "map", stored, {}), DataError);
-  EXPECT_THROW(movePoses(viewOf(bytes.substr(0, 900)), "map", stored, std::vector<PoseMove>(3)),
+  const Recording recording = recordingIn(bytes);
+  EXPECT_THROW(movePoses(viewOf(bytes), recording, {}), DataError);
+  EXPECT_THROW(movePoses(viewOf(bytes.substr(0, 900)), recording, std::vector<PoseMove>(3)),
                DataError);
+  EXPECT_THROW(recordingIn(bytes.substr(0, 900)), DataError);
+  EXPECT_THROW(recordingIn("no simplemap"), DataError);
 }
 
 }  // namespace

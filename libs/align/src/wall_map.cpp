@@ -56,36 +56,6 @@ class CoarseRow {
   std::vector<std::uint8_t> isOccupied_;
 };
 
-/** The known part of the map on cells of side `cell`, with a margin: occupied where any of its
- *  cells is, free where more are free than unknown. */
-Grid coarser(const Grid& grid, double cell, double margin) {
-  const CellBox known = knownCells(grid);
-  const GridFrame& from = grid.frame;
-  Grid out;
-  out.frame.resolution = cell;
-  if (known.isEmpty()) return out;
-  const Point low{from.origin.x + known.low.x * from.resolution,
-                  from.origin.y + known.low.y * from.resolution};
-  out.frame.origin = low - Point{margin, margin};
-  out.frame.width = int(std::ceil((known.width() * from.resolution + 2 * margin) / cell));
-  out.frame.height = int(std::ceil((known.height() * from.resolution + 2 * margin) / cell));
-  out.cells.resize(out.frame.cellCount(), State::unknown);
-  std::vector<std::size_t> column(std::size_t(from.width));
-  for (int x = 0; x < from.width; ++x)
-    column[std::size_t(x)] = std::size_t(out.frame.cellAt(from.center({x, 0})).x);
-  CoarseRow sums(out.frame);
-  int row = 0;
-  for (int y = known.low.y; y <= known.high.y; ++y) {
-    const int next = out.frame.cellAt(from.center({0, y})).y;
-    if (next != row) sums.moveTo(out, row);
-    row = next;
-    for (int x = known.low.x; x <= known.high.x; ++x)
-      sums.add(column[std::size_t(x)], grid.at({x, y}));
-  }
-  sums.moveTo(out, row);
-  return out;
-}
-
 /** From the occupied cells round a free cell towards it; (0, 0) where they balance. */
 Point normalAt(const Grid& grid, Cell cell) {
   const int r = std::max(1, int(kNormalRadius / grid.frame.resolution));
@@ -229,6 +199,34 @@ std::vector<float> depthsOf(const GridFrame& frame, const std::vector<State>& st
 }
 
 }  // namespace
+
+Grid coarser(const Grid& grid, double cell, double margin) {
+  const CellBox known = knownCells(grid);
+  const GridFrame& from = grid.frame;
+  Grid out;
+  out.frame.resolution = cell;
+  if (known.isEmpty()) return out;
+  const Point low{from.origin.x + known.low.x * from.resolution,
+                  from.origin.y + known.low.y * from.resolution};
+  out.frame.origin = low - Point{margin, margin};
+  out.frame.width = int(std::ceil((known.width() * from.resolution + 2 * margin) / cell));
+  out.frame.height = int(std::ceil((known.height() * from.resolution + 2 * margin) / cell));
+  out.cells.resize(out.frame.cellCount(), State::unknown);
+  std::vector<std::size_t> column(std::size_t(from.width));
+  for (int x = 0; x < from.width; ++x)
+    column[std::size_t(x)] = std::size_t(out.frame.cellAt(from.center({x, 0})).x);
+  CoarseRow sums(out.frame);
+  int row = 0;
+  for (int y = known.low.y; y <= known.high.y; ++y) {
+    const int next = out.frame.cellAt(from.center({0, y})).y;
+    if (next != row) sums.moveTo(out, row);
+    row = next;
+    for (int x = known.low.x; x <= known.high.x; ++x)
+      sums.add(column[std::size_t(x)], grid.at({x, y}));
+  }
+  sums.moveTo(out, row);
+  return out;
+}
 
 WallMap bareWallMap(const Grid& grid) {
   const std::optional<Grid> cleared = clearWallRims(grid);

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <map>
 
-#include "Displacement.h"
 #include "roomgraph/base/statistics.h"
+#include "roomgraph/geometry/MotionFit.h"
 
 namespace roomgraph {
 namespace {
 
 /** Of each two runs of a graph, how what was found of the second one in the first has moved. */
-using FoundTable = std::map<std::pair<RunId, RunId>, Displacement>;
+using FoundTable = std::map<std::pair<RunId, RunId>, MotionFit>;
 
 FoundTable foundIn(const Consensus& consensus) {
   const PoseGraph& graph = consensus.graph;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <set>
 
-#include "Displacement.h"
 #include "fitted_consensus.h"
 #include "roomgraph/base/statistics.h"
+#include "roomgraph/geometry/MotionFit.h"
 
 namespace roomgraph {
 namespace {
@@ -68,7 +68,7 @@ void addInterval(MapError& error, double witnesses) {
 MapError errorOf(const PoseGraph& graph, RunId run, const NodePoses& poses,
                  const ById<NodeId, std::set<RunId>>& seenByOthers, double others) {
   const IdRange<NodeId>& nodes = graph.runs[run].nodes;
-  Displacement all;
+  MotionFit all;
   MapError error;
   double seen = 0;
   for (const NodeId id : nodes) {

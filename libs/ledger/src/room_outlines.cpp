@@ -1,6 +1,5 @@
 #include "room_outlines.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -34,27 +33,16 @@ void keepFar(const Ring& ring, std::size_t from, std::size_t to, double toleranc
 Eigen::Vector3d stepOf(const RoomOutline& room, const RoomOutline& inRun, const RoomMove& move,
                        Point middle) {
   const Motion2D motion(move.about(middle));
-  const Point centre = middle + move.shift;
-  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d b = Eigen::Vector3d::Zero();
+  WallStep<3> step{middle + move.shift, kWallCell};
   double reach = 0;
   for (const Point& place : room.places()) {
-    const Point p = motion(place), arm = p - centre;
-    reach += squaredNorm(arm);
-    const Point* nearest = inRun.nearest(p);
-    if (!nearest) continue;
-    const Point normal = inRun.normal(nearest);
-    const double off = dot(*nearest - p, normal);
-    const double off2 = squaredNorm(*nearest - p) / (kWallCell * kWallCell);
-    const Eigen::Vector3d row(normal.x, normal.y, cross(arm, normal));
-    const double weight = 1 / ((1 + off2) * (1 + off2));
-    a += weight * row * row.transpose();
-    b += weight * off * row;
+    const Point p = motion(place);
+    reach += squaredNorm(p - step.pivot);
+    if (const Point* nearest = inRun.nearest(p)) step.add(p, {*nearest, inRun.normal(nearest)});
   }
   const double count = double(room.places().size());
-  if (count == 0) return b;
-  a.diagonal() += kShiftHold * Eigen::Vector3d(count, count, reach + 1e-9);
-  return a.ldlt().solve(b);
+  if (count == 0) return step.g;
+  return step.solution(kShiftHold * Eigen::Vector3d(count, count, reach + 1e-9));
 }
 
 }  // namespace

@@ -33,10 +33,4 @@ struct ShareInOther {
 /** The same for the sum of all parts over that of the wholes; none where there is no whole. */
 MeasuredValue shareOverOthers(const std::vector<ShareInOther>& others);
 
-/** A number, and from how many things it was made. */
-struct Figure {
-  std::optional<double> value;  ///< none where nothing supports it
-  double support = 0;
-};
-
 }  // namespace roomgraph

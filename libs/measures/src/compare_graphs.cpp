@@ -13,7 +13,7 @@
 namespace roomgraph {
 namespace {
 
-Figure medianOf(std::vector<double> values) {
+MeasuredValue medianOf(std::vector<double> values) {
   if (values.empty()) return {};
   const double count = double(values.size());
   return {median(std::move(values)), count};
@@ -100,7 +100,7 @@ class HopSearch {
     for (const std::size_t v : reached) hops_[v] = std::nullopt;
   }
 
-  Figure consistency(std::size_t kind) const { return medianOf(found_[kind]); }
+  MeasuredValue consistency(std::size_t kind) const { return medianOf(found_[kind]); }
 
  private:
   std::vector<std::size_t> nextLayer(const std::vector<std::size_t>& layer, std::size_t hop) {
@@ -145,12 +145,12 @@ TopologyGraph placedVertices(const TopologyGraph& graph, const Transform2D& pose
   return {std::move(vertices), {}};
 }
 
-Figure rootMean(double squares, double count) {
+MeasuredValue rootMean(double squares, double count) {
   if (count <= 0) return {};
   return {std::sqrt(squares / count), count};
 }
 
-Figure shareOf(double part, double all) {
+MeasuredValue shareOf(double part, double all) {
   if (all <= 0) return {};
   return {part / all, all};
 }

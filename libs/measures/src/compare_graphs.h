@@ -17,15 +17,17 @@ namespace roomgraph {
 constexpr std::array<std::size_t, 4> kConsistencyHops{1, 2, 4, 8};
 
 struct GraphComparison {
-  Figure coverageOfA, coverageOfB;  ///< share of the other's path length that a, or b, has [of m]
-  Figure globalAccuracy;            ///< RMS distance of matched vertices in the common frame [m]
-  Figure relativeAccuracy;          ///< the same after the turn and shift that fits them best [m]
+  /** Share of the other's path length that a, or b, has [of m]. */
+  MeasuredValue coverageOfA, coverageOfB;
+  MeasuredValue globalAccuracy;    ///< RMS distance of matched vertices in the common frame [m]
+  MeasuredValue relativeAccuracy;  ///< the same after the turn and shift that fits them best [m]
   /** For each of kConsistencyHops, of all pairs of matched vertices so many matched paths apart:
    *  median of | |pi - pj| - |qi - qj| | / length of these paths, which is the mean of both. */
-  std::array<Figure, kConsistencyHops.size()> consistency;
-  Figure lengthError;         ///< median over the paths of |la - lb| / max(la, lb)
-  Figure frechet;             ///< median over the paths outside of rooms of pathFrechet [m]
-  Figure nearestA, nearestB;  ///< nearestVertices from a to b, and from b to a [m, of vertices]
+  std::array<MeasuredValue, kConsistencyHops.size()> consistency;
+  MeasuredValue lengthError;  ///< median over the paths of |la - lb| / max(la, lb)
+  MeasuredValue frechet;      ///< median over the paths outside of rooms of pathFrechet [m]
+  /** nearestVertices from a to b, and from b to a [m, of vertices]. */
+  MeasuredValue nearestA, nearestB;
 };
 
 /** `inSite`: poses that place a and b in one frame. A single matched vertex has no relative

@@ -10,7 +10,7 @@ class Mean {
  public:
   explicit Mean(bool isSquared) : isSquared_(isSquared) {}
 
-  void add(const Figure& figure, double weight) {
+  void add(const MeasuredValue& figure, double weight) {
     if (!figure.value || weight * figure.support <= 0) return;
     const double value = isSquared_ ? *figure.value * *figure.value : *figure.value;
     sum_ += weight * figure.support * value, weights_ += weight * figure.support;
@@ -44,7 +44,7 @@ ComparedGraphs comparedGraphs(const Site& site, const MapPairs& pairs, const For
 MeasuredValue graphMeasureOf(const GraphFigure& figure, const ComparedGraphs& graphs,
                              const Trust& trust, std::size_t run) {
   const std::vector<std::size_t>& others = graphs.othersOf(run);
-  std::vector<Figure> figures;
+  std::vector<MeasuredValue> figures;
   std::vector<double> supports;
   for (const std::size_t j : others) {
     figures.push_back(figure.of(graphs(run, j), run < j));
@@ -59,7 +59,7 @@ MeasuredValue graphMeasureOf(const GraphFigure& figure, const ComparedGraphs& gr
 }
 
 MeasuredValue graphMeasureOfPair(const GraphFigure& figure, const GraphComparison& graphs) {
-  const Figure first = figure.of(graphs, true), second = figure.of(graphs, false);
+  const MeasuredValue first = figure.of(graphs, true), second = figure.of(graphs, false);
   Mean mean(figure.isSquared);
   mean.add(first, 1), mean.add(second, 1);
   // The two ways are the same things but for coverage and nearest vertices.

@@ -23,7 +23,7 @@ ComparedGraphs comparedGraphs(const Site& site, const MapPairs& pairs,
 /** A figure of a comparison, and how several of them are taken together. */
 struct GraphFigure {
   /** Of the first of the two graphs, or of the second. */
-  std::function<Figure(const GraphComparison&, bool isFirst)> of;
+  std::function<MeasuredValue(const GraphComparison&, bool isFirst)> of;
   bool isSquared = false;  ///< means are taken of its square
 };
 

@@ -97,11 +97,6 @@ MeasuredValue wallDoublingOf(const Run& run) { return overWalls(run.map.wallDoub
 
 MeasuredValue wallSharpnessOf(const Run& run) { return overWalls(run.map.wallSharpness, run); }
 
-MeasuredValue scanDisagreementOf(const Run& run) {
-  const Figure scans = scanDisagreement(run.scans);
-  return {scans.value, scans.support};
-}
-
 MeasuredValue brokennessOf(const Site& site, const MapPairs& pairs, const Trust& trust,
                            std::size_t run, std::size_t breaks) {
   if (!site.runs[run]->scans.empty()) return countBreaks(site, pairs, trust, run, breaks);
@@ -114,7 +109,7 @@ MeasuredValue brokennessOf(const Site& site, const MapPairs& pairs, const Trust&
   });
 }
 
-Figure scanDisagreement(const std::vector<ScanWalls>& scans) {
+MeasuredValue scanDisagreement(const std::vector<ScanWalls>& scans) {
   const std::vector<double> paths = drivenWays(scans);
   std::vector<double> medians;
   for (std::size_t i = 0; i < scans.size(); ++i) {

@@ -13,12 +13,10 @@ namespace roomgraph {
 // Out:  MeasuredValue
 // Next: measureSite
 
-/** Of one run by itself: see wallDoubling [share], wallSharpness [cells per cell] and
- *  scanDisagreement [m], which has no value where there are no scans. No intervals, as the others
- *  have no part in it. */
+/** Of one run by itself: see wallDoubling [share] and wallSharpness [cells per cell]. No intervals,
+ *  as the others have no part in it. */
 MeasuredValue wallDoublingOf(const Run& run);
 MeasuredValue wallSharpnessOf(const Run& run);
-MeasuredValue scanDisagreementOf(const Run& run);
 
 /** Of one run: `brokenness`, the number of its rigid pieces less 1. With scans it is `breaks`, the
  *  number of breaks that were found along them (support: scans; none without another run). Without
@@ -33,6 +31,6 @@ MeasuredValue brokennessOf(const Site& site, const MapPairs& pairs, const Trust&
  *  The value is the 90th percentile over the scans [m], the support the number of scans that could
  *  be compared; no value without any. So it shows errors between two visits, not those of a way
  *  that was gone once. O(scans * (scans + walls^2)). */
-Figure scanDisagreement(const std::vector<ScanWalls>& scans);
+MeasuredValue scanDisagreement(const std::vector<ScanWalls>& scans);
 
 }  // namespace roomgraph

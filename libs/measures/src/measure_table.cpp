@@ -98,11 +98,11 @@ MeasureRow ofGraphs(const MeasureKind& kind, const GraphFigure& figure) {
       }};
 }
 
-MeasureRow ofGraphs(const MeasureKind& kind, Figure GraphComparison::*figure) {
+MeasureRow ofGraphs(const MeasureKind& kind, MeasuredValue GraphComparison::*figure) {
   return ofGraphs(kind, {[figure](const GraphComparison& g, bool) { return g.*figure; }});
 }
 
-MeasureRow rmsOfGraphs(const MeasureKind& kind, Figure GraphComparison::*figure) {
+MeasureRow rmsOfGraphs(const MeasureKind& kind, MeasuredValue GraphComparison::*figure) {
   return ofGraphs(kind, {[figure](const GraphComparison& g, bool) { return g.*figure; }, true});
 }
 
@@ -162,7 +162,7 @@ std::vector<MeasureRow> mapRows() {
             wallSharpnessOf),
       ofMap({"scan_disagreement", "Scans off another visit, 9 of 10 below", "m", kFewestThings,
              "How far scans lie from what was seen at the same place at another time."},
-            scanDisagreementOf)};
+            [](const Run& run) { return scanDisagreement(run.scans); })};
 }
 
 }  // namespace

@@ -194,10 +194,10 @@ Stages extractGrid(Stages s, const std::function<Grid()>& cells, Diagram diagram
   // III-B: the rooms
   step("trace_rooms").rooms = s.outlines.rooms();
   // III-C to III-G: rooms in the graph
-  const double minLength = shortLength(options.shortDeadEnds, resolution);
   step("border_vertices").stretches = borderVertices(s.kept, s.rooms, s.clearance, kEpsilon);
   step("cut_paths").cut = cutPaths(s.kept, s.stretches);
-  step("room_ids").cut = roomIds(std::move(s.cut), s.rooms, minLength);
+  step("room_ids").cut = roomIds(std::move(s.cut), s.rooms);
+  const double minLength = shortLength(options.shortDeadEnds, resolution);
   step("short_dead_ends").cleaned = removeShortDeadEnds(s.cut, minLength);
   // Rooms that are split at their doors share these; those of a disc leave a gap in each.
   step("join_doors").doors = s.roomRadius > 0 ? joinDoors(s.cleaned, options.joinDoors) : s.cleaned;

@@ -47,25 +47,10 @@ struct Sizes {
   }
 };
 
-/** Of a picture, in cells. A large one is measured on coarser cells: occupied where any of its
- *  cells is, free where more are free than unknown. */
+/** Of a picture, in cells. A large one is measured on coarser cells. */
 Sizes sizesInCells(const Grid& picture) {
-  const GridFrame& from = picture.frame;
-  const int factor = std::max(from.width, from.height) / fitted::kMostAcross + 1;
-  Grid small;
-  small.frame = {(from.width + factor - 1) / factor, (from.height + factor - 1) / factor, 1, {}};
-  std::vector<int> balance(small.frame.cellCount(), 0);
-  small.cells.assign(small.frame.cellCount(), State::unknown);
-  for (int y = 0; y < from.height; ++y)
-    for (int x = 0; x < from.width; ++x) {
-      const std::size_t i = small.frame.index({x / factor, y / factor});
-      const State state = picture.at({x, y});
-      if (state == State::occupied) small.cells[i] = state;
-      balance[i] += state == State::free ? 1 : -1;
-    }
-  for (std::size_t i = 0; i < small.cells.size(); ++i)
-    if (small.cells[i] == State::unknown && balance[i] > 0) small.cells[i] = State::free;
-  Sizes sizes(wallMap(small));
+  const int factor = std::max(picture.frame.width, picture.frame.height) / fitted::kMostAcross + 1;
+  Sizes sizes(wallMap(rescaled(coarser(rescaled(picture, 1), factor, 0), 1)));
   sizes.free *= factor, sizes.width *= factor, sizes.walls *= factor;
   return sizes;
 }

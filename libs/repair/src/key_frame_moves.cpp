@@ -1,20 +1,21 @@
 #include "roomgraph/repair/key_frame_moves.h"
 
+#include <mrpt/math/CQuaternion.h>
+
 #include <cmath>
 #include <optional>
 
 #include "roomgraph/base/compressed.h"
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/scans/StoredPose.h"
 
 namespace roomgraph {
 namespace {
 
 /** A time for each key frame [s]. */
-std::vector<double> timesOf(const std::vector<StoredPose>& frames) {
+std::vector<double> timesOf(const std::vector<Recording::Frame>& frames) {
   std::vector<std::size_t> timed;
   for (std::size_t k = 0; k < frames.size(); ++k)
-    if (frames[k].time) timed.push_back(k);
+    if (frames[k].time()) timed.push_back(k);
   std::vector<double> times;
   std::size_t next = 0;  // of `timed`
   for (std::size_t k = 0; k < frames.size(); ++k) {
@@ -22,13 +23,13 @@ std::vector<double> timesOf(const std::vector<StoredPose>& frames) {
     if (timed.empty()) {
       times.push_back(double(k));
     } else if (next == 0 || next == timed.size()) {
-      times.push_back(*frames[timed[next == 0 ? 0 : next - 1]].time);
+      times.push_back(*frames[timed[next == 0 ? 0 : next - 1]].time());
     } else {
       const std::size_t from = timed[next - 1], to = timed[next];
       const double share = double(k - from) / double(to - from);
-      times.push_back((1 - share) * *frames[from].time + share * *frames[to].time);
+      times.push_back((1 - share) * *frames[from].time() + share * *frames[to].time());
     }
-    if (next < timed.size() && timed[next] == k) times.back() = *frames[k].time;
+    if (next < timed.size() && timed[next] == k) times.back() = *frames[k].time();
   }
   return times;
 }
@@ -51,31 +52,39 @@ Transform2D between(const Transform2D& one, const Transform2D& other, double sha
   return Transform2D{place.x, place.y, wrappedAngle(from.phi + share * turn)} * pose.inverse();
 }
 
-Transform2D planar(const StoredPose& pose) {
-  const auto [x, y, z, w] = pose.turn;
-  return {pose.place[0], pose.place[1], std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))};
+mrpt::math::CQuaternionDouble turnOf(const Recording::Frame& frame) {
+  mrpt::math::CQuaternionDouble turn;
+  frame.robot.getAsQuaternion(turn);
+  return turn;
+}
+
+Transform2D planar(const Recording::Frame& frame) {
+  const auto q = turnOf(frame);
+  return {frame.robot.x(), frame.robot.y(),
+          std::atan2(2 * (q.r() * q.z() + q.x() * q.y()), 1 - 2 * (q.y() * q.y() + q.z() * q.z()))};
 }
 
 }  // namespace
 
-std::string trajectoryTum(const StoredPoses& stored, const std::vector<PoseMove>& moves) {
-  const std::vector<double> times = timesOf(stored.frames);
+std::string trajectoryTum(const Recording& recording, const std::vector<PoseMove>& moves) {
+  const std::vector<double> times = timesOf(recording.frames);
   std::string text;
-  for (std::size_t k = 0; k < stored.frames.size(); ++k) {
-    const StoredPose& pose = stored.frames[k];
+  for (std::size_t k = 0; k < recording.frames.size(); ++k) {
+    const mrpt::poses::CPose3D& robot = recording.frames[k].robot;
+    const auto turn = turnOf(recording.frames[k]);
     const Transform2D& motion = moves[k].motion;
-    const Point place = motion({pose.place[0], pose.place[1]});
-    const Point xy = turned({pose.turn[0], pose.turn[1]}, motion.phi / 2);
-    const Point wz = turned({pose.turn[3], pose.turn[2]}, motion.phi / 2);
+    const Point place = motion({robot.x(), robot.y()});
+    const Point xy = turned({turn.x(), turn.y()}, motion.phi / 2);
+    const Point wz = turned({turn.r(), turn.z()}, motion.phi / 2);
     text += formatted("%.6f %.6f %.6f %.6f %.9f %.9f %.9f %.9f\n", times[k], place.x, place.y,
-                      pose.place[2], xy.x, xy.y, wz.y, wz.x);
+                      robot.z(), xy.x, xy.y, wz.y, wz.x);
   }
   return text;
 }
 
 std::vector<PoseMove> keyFrameMoves(const Run& run, const RepairedRun& repaired,
-                                    const StoredPoses& stored) {
-  std::vector<PoseMove> moves(stored.frames.size());
+                                    const Recording& recording) {
+  std::vector<PoseMove> moves(recording.frames.size());
   if (repaired.state != RepairState::mended || run.scans.empty()) return moves;
   std::vector<std::optional<Transform2D>> known(moves.size());
   std::vector<PlanarCovariance> sure(moves.size());
@@ -91,7 +100,7 @@ std::vector<PoseMove> keyFrameMoves(const Run& run, const RepairedRun& repaired,
     if (!before) before = next;
     if (next == moves.size()) next = *before;
     const double share = next > *before ? double(k - *before) / double(next - *before) : 0;
-    moves[k].motion = between(*known[*before], *known[next], share, planar(stored.frames[k]));
+    moves[k].motion = between(*known[*before], *known[next], share, planar(recording.frames[k]));
     if (!repaired.covariances.empty())
       moves[k].covariance = between(sure[*before], sure[next], share);
   }

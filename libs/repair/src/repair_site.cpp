@@ -11,6 +11,7 @@
 #include "roomgraph/repair/key_frame_moves.h"
 #include "roomgraph/repair/repair_runs.h"
 #include "roomgraph/repair/solve_runs.h"
+#include "roomgraph/scans/read_simplemap.h"
 
 namespace roomgraph {
 namespace {
@@ -45,13 +46,13 @@ std::vector<RepairedRun> repairRuns(const std::vector<Run>& runs,
 
 MovedRun movedRun(const Run& run, const RepairedRun& repaired) {
   CheckedFile file(run.file);
-  const StoredPoses stored = readStoredPoses(file);
-  const std::vector<PoseMove> moves = keyFrameMoves(run, repaired, stored);
-  const std::string content = movePoses(file.content(), file.name(), stored, moves);
+  const Recording recording = readSimplemap(file);
+  const std::vector<PoseMove> moves = keyFrameMoves(run, repaired, recording);
+  const std::string content = movePoses(file.content(), recording, moves);
   MovedRun moved;
   moved.simplemap = packedMap(content, file.compression());
   moved.tum = std::string(kRosMapMark) + "\n# Its simplemap has the SHA-256 " +
-              sha256Of(viewOf(moved.simplemap)) + ".\n" + trajectoryTum(stored, moves);
+              sha256Of(viewOf(moved.simplemap)) + ".\n" + trajectoryTum(recording, moves);
   return moved;
 }
 

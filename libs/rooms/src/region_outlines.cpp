@@ -1,6 +1,5 @@
 #include "roomgraph/rooms/region_outlines.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "roomgraph/base/sequences.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "place_on_paths.h"
 #include "roomgraph/rooms/hall_ways.h"
 #include "roomgraph/rooms/inner_ways.h"
 #include "straight_ways.h"

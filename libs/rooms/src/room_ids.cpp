@@ -50,17 +50,9 @@ void setRoom(TopologyGraph& graph, VertexId v) {
   if (!isMixed && vertex.kind == VertexKind::border) vertex.kind = VertexKind::junction;
 }
 
-/** The border vertex at which a dead end starts, if it does; else none. */
-VertexId borderBase(const TopologyGraph& graph, const Edge& edge) {
-  for (const auto& [tip, base] :
-       {std::pair(edge.source, edge.target), std::pair(edge.target, edge.source)})
-    if (graph.degree(tip) == 1 && graph.vertex(base).kind == VertexKind::border) return base;
-  return VertexId::none();
-}
-
 }  // namespace
 
-TopologyGraph roomIds(TopologyGraph graph, const Rooms& rooms, double minLength) {
+TopologyGraph roomIds(TopologyGraph graph, const Rooms& rooms) {
   leaveClippedRooms(graph);
   const RoomIndex index(rooms);
   for (std::size_t i = 0; i < graph.vertices().size(); ++i) {
@@ -69,12 +61,6 @@ TopologyGraph roomIds(TopologyGraph graph, const Rooms& rooms, double minLength)
       graph.vertex(v).room = index.roomAt(graph.vertex(v).place);
     else
       setRoom(graph, v);
-  }
-  for (std::size_t e = 0; e < graph.edges().size(); ++e) {
-    const Edge& edge = graph.edges()[e];
-    if (edge.room || edge.path.length >= minLength) continue;
-    if (const VertexId base = borderBase(graph, edge))
-      graph.setRoom(EdgeId(e), graph.vertex(base).room);
   }
   return graph;
 }

@@ -7,6 +7,14 @@
 
 namespace roomgraph {
 
+std::optional<double> Recording::Frame::time() const {
+  for (const RangeScan& scan : scans)
+    if (scan.time != INVALID_TIMESTAMP) return mrpt::Clock::toDouble(scan.time);
+  for (const PointCloud& cloud : clouds)
+    if (cloud.time != INVALID_TIMESTAMP) return mrpt::Clock::toDouble(cloud.time);
+  return std::nullopt;
+}
+
 std::string Recording::Sensor::name() const {
   const std::string type = className + " " + std::to_string(version);
   return label.empty() ? type : label + " (" + type + ")";

@@ -139,6 +139,7 @@ bool isSimplemap(CheckedFile& file) {
 }
 
 Recording readSimplemap(CheckedFile& file) {
+  if (!isSimplemap(file)) refuse(file.name(), "is no simplemap", "give one");
   checkHead(file);
   Recording recording;
   recording.file = file.name();

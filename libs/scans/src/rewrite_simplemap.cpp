@@ -177,16 +177,16 @@ std::string joinSimplemaps(const std::vector<SimplemapPart>& parts) {
   if (parts.empty()) return {};
   const auto newest = std::max_element(parts.begin(), parts.end(),
                                        [](const SimplemapPart& l, const SimplemapPart& r) {
-                                         return l.stored.mapVersion < r.stored.mapVersion;
+                                         return l.recording.version < r.recording.version;
                                        });
   std::uint32_t count = 0;
   for (const SimplemapPart& part : parts) count += std::uint32_t(part.frames.size());
-  std::string joined =
-      newest->content.substr(0, newest->stored.headEnd - sizeof count) + raw(count);
+  const std::size_t head = newest->recording.frames.front().begin - sizeof count;
+  std::string joined = newest->content.substr(0, head) + raw(count);
   for (const SimplemapPart& part : parts) {
-    const bool lacksTwist = newest->stored.mapVersion >= 2 && part.stored.mapVersion < 2;
+    const bool lacksTwist = newest->recording.version >= 2 && part.recording.version < 2;
     for (const std::size_t k : part.frames) {
-      const StoredPose& frame = part.stored.frames[k];
+      const Recording::Frame& frame = part.recording.frames[k];
       joined.append(part.content, frame.begin, frame.end - frame.begin);
       if (lacksTwist) joined += noTwist();
     }
@@ -194,15 +194,15 @@ std::string joinSimplemaps(const std::vector<SimplemapPart>& parts) {
   return joined + char(kObjectEnd);
 }
 
-std::string movePoses(ByteView content, const std::string& file, const StoredPoses& poses,
+std::string movePoses(ByteView content, const Recording& recording,
                       const std::vector<PoseMove>& moves) {
-  if (poses.frames.size() != moves.size() ||
-      (!poses.frames.empty() && poses.frames.back().end > content.size))
-    refuse(file, "has changed while it was read", kSaveMapAgain);
+  const std::vector<Recording::Frame>& frames = recording.frames;
+  if (frames.size() != moves.size() || (!frames.empty() && frames.back().end > content.size))
+    refuse(recording.file, "has changed while it was read", kSaveMapAgain);
   std::string bytes = content.text();
-  Mover mover(content, file, bytes);
+  Mover mover(content, recording.file, bytes);
   for (std::size_t k = 0; k < moves.size(); ++k)
-    if (isMoved(moves[k])) mover.move(poses.frames[k].begin, moves[k]);
+    if (isMoved(moves[k])) mover.move(frames[k].begin, moves[k]);
   return bytes;
 }
 

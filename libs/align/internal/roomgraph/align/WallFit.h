@@ -1,5 +1,5 @@
 #pragma once
-#include <array>
+#include <Eigen/Dense>
 
 #include "roomgraph/align/NarrowingBand.h"
 #include "roomgraph/align/nearest_wall.h"
@@ -10,12 +10,45 @@ namespace roomgraph {
 /** How much it takes to shift what no wall holds, as a share of all that counts. */
 constexpr double kShiftHold = 0.02;
 
-/** One step of laying wall points onto the walls of a map, in (shift x, shift y, turn) about the
- *  place where `about` comes to lie. Distances count across the wall; far ones count little. */
+/** The normal equations of one step that lays places onto walls: in shift x, shift y and turn about
+ *  `pivot`, and in growth where that is the fourth unknown. Distances count across the wall; far
+ *  ones little. */
+template <int Unknowns>
+struct WallStep {
+  using Vector = Eigen::Matrix<double, Unknowns, 1>;
+  using Matrix = Eigen::Matrix<double, Unknowns, Unknowns>;
+
+  Point pivot;
+  double width = 0;  ///< up to which distances count [m]
+  Matrix h = Matrix::Zero();
+  Vector g = Vector::Zero();
+  double weight = 0;  ///< of all that was added
+
+  void add(Point place, const WallPoint& wall) {
+    const Point off = place - wall.place, arm = place - pivot;
+    const double s = 1 + squaredNorm(off) / (width * width), w = 1 / (s * s);
+    Vector j;
+    j[0] = wall.normal.x, j[1] = wall.normal.y, j[2] = cross(arm, wall.normal);
+    if constexpr (Unknowns == 4) j[3] = dot(arm, wall.normal);
+    h += w * j * j.transpose();
+    g -= w * dot(wall.normal, off) * j;
+    weight += w;
+  }
+
+  /** What no wall holds stays as it is: `hold` is how much it takes to move it. */
+  Vector solution(const Vector& hold) const {
+    Matrix held = h;
+    held.diagonal() += hold;
+    return held.ldlt().solve(g);
+  }
+};
+
+/** One step of laying wall points onto the walls of a map, from a pose that brings `about` to the
+ *  pivot. */
 class WallFit {
  public:
   WallFit(const Transform2D& pose, Point about, double width)
-      : pose_(pose), forth_(pose), pivot_(forth_(about)), width_(width) {}
+      : pose_(pose), forth_(pose), step_{forth_(about), width} {}
 
   const Transform2D& pose() const { return pose_; }
   const Motion2D& forth() const { return forth_; }
@@ -27,33 +60,22 @@ class WallFit {
     if (wall) add(at, *wall);
   }
   /** One that the pose has brought to `place`, and that belongs onto `wall`. */
-  void add(Point place, const WallPoint& wall) {
-    const Point off = place - wall.place;
-    const double s = 1 + squaredNorm(off) / (width_ * width_), w = 1 / (s * s);
-    const Row j{wall.normal.x, wall.normal.y, cross(place - pivot_, wall.normal)};
-    const double pull = w * dot(wall.normal, off);
-    for (std::size_t r = 0; r < 3; ++r) {
-      for (std::size_t c = 0; c <= r; ++c) h_[r][c] += w * j[r] * j[c];
-      g_[r] -= pull * j[r];
-    }
-    weight_ += w;
+  void add(Point place, const WallPoint& wall) { step_.add(place, wall); }
+
+  bool isEnough() const { return step_.weight >= 3; }
+
+  /** The pose after the step; `turnHold`: how much it takes to turn, as a share of all that counts.
+   */
+  Transform2D improved(double turnHold) const {
+    const Eigen::Vector3d by =
+        step_.solution(step_.weight * Eigen::Vector3d(kShiftHold, kShiftHold, turnHold));
+    return carrying(step_.pivot, step_.pivot + Point{by[0], by[1]}, by[2]) * pose_;
   }
 
-  bool isEnough() const { return weight_ >= 3; }
-
-  /** The pose after the step. What no wall holds stays as it is; `turnHold`: how much it takes to
-   *  turn, as a share of all that counts. */
-  Transform2D improved(double turnHold) const;
-
  private:
-  using Row = std::array<double, 3>;
-
   Transform2D pose_;
   Motion2D forth_;
-  Point pivot_;
-  double width_, weight_ = 0;
-  std::array<Row, 3> h_{};  // the normal equations h x = g: of h what is on and below its diagonal
-  Row g_{};
+  WallStep<3> step_;
 };
 
 /** The pose that several steps come to, each with the walls that `addWalls(fit, step)` adds. It

@@ -21,6 +21,10 @@ WallMap wallMap(const Grid& grid);
  *  map. */
 WallMap bareWallMap(const Grid& grid);
 
+/** The known part of the map on cells of side `cell`, with a margin: occupied where any of its
+ *  cells is, free where more are free than unknown. O(cells). */
+Grid coarser(const Grid& grid, double cell, double margin);
+
 /** Makes what alignMaps looks at of a map besides its walls: `turns`, of the walls given, and
  *  `freeCells` and `freeArea` of its states. O(cells + walls). */
 void addSearchData(WallMap& map, const std::vector<WallPoint>& walls);

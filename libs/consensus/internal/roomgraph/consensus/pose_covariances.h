@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "roomgraph/consensus/PoseGraph.h"
-#include "roomgraph/scans/rewrite_simplemap.h"
+#include "roomgraph/geometry/PlanarCovariance.h"
 
 namespace roomgraph {
 

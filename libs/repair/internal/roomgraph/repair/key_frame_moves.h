@@ -9,19 +9,19 @@
 
 namespace roomgraph {
 
-// In:   RepairedRun, and the poses of the key frames in its file
+// In:   RepairedRun, and the simplemap that it is of
 // Out:  PoseMove of each key frame
 // Next: movePoses, trajectoryTum; movedRun (repair_site.h) does both
 
 /** How each key frame of the run's file is moved. One without a scan goes along with those before
  *  and behind it, with the nearer one more. O(key frames). */
 std::vector<PoseMove> keyFrameMoves(const Run& run, const RepairedRun& repaired,
-                                    const StoredPoses& stored);
+                                    const Recording& recording);
 
 /** "time x y z qx qy qz qw", a line for each key frame, in their order [s, m]. A key frame without
  *  a time has one between those of its neighbours that have; where none has, times are the numbers
  *  of the key frames. O(key frames). */
-std::string trajectoryTum(const StoredPoses& stored, const std::vector<PoseMove>& moves);
+std::string trajectoryTum(const Recording& recording, const std::vector<PoseMove>& moves);
 
 /** The content of a simplemap as its file holds it; gzip has a comment on who has written it. */
 std::string packedMap(const std::string& content, Compression how);

@@ -10,9 +10,8 @@ namespace roomgraph {
 // Next: removeShortDeadEnds
 
 /** Every vertex inside of a room gets its id. A vertex where paths of a room meet others lies on
- *  the polygon: it becomes a border vertex (III-D, case A: the cut falls on a source or target). A
- *  dead end shorter than `minLength` that starts at a border vertex gets the id of that room, too
- *  (III-E, case B). O(n). */
-[[nodiscard]] TopologyGraph roomIds(TopologyGraph graph, const Rooms& rooms, double minLength);
+ *  the polygon: it becomes a border vertex (III-D, case A: the cut falls on a source or target).
+ *  O(n). */
+[[nodiscard]] TopologyGraph roomIds(TopologyGraph graph, const Rooms& rooms);
 
 }  // namespace roomgraph

@@ -4,7 +4,7 @@
 
 namespace roomgraph {
 
-// Paper III-F
+// Paper III-E, case B, and III-F
 // In:   TopologyGraph, cut, with room ids
 // Out:  TopologyGraph
 // Next: roomGraph

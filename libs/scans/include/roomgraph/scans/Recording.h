@@ -26,6 +26,9 @@ struct Recording {
     std::size_t begin = 0, end = 0;  ///< of a simplemap: its bytes in the inflated file
     std::vector<RangeScan> scans;
     std::vector<PointCloud> clouds;
+
+    /** Of its first scan or cloud that has one [s since 1970, UTC]. */
+    [[nodiscard]] std::optional<double> time() const;
   };
   /** A kind of observation, whether it is used or stepped over. */
   struct Sensor {

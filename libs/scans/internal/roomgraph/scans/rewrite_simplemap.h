@@ -7,7 +7,7 @@
 #include "roomgraph/base/byte_reader.h"
 #include "roomgraph/geometry/PlanarCovariance.h"
 #include "roomgraph/geometry/Transform2D.h"
-#include "roomgraph/scans/StoredPose.h"
+#include "roomgraph/scans/Recording.h"
 
 namespace roomgraph {
 
@@ -25,14 +25,14 @@ struct PoseMove {
 
 /** The content with other poses, byte for byte the same but for these; one `moves` for each key
  *  frame. All layouts of poses that readPoseMean knows. O(file).
- *  @throws DataError where the content is not the one that `poses` are of. */
-std::string movePoses(ByteView content, const std::string& file, const StoredPoses& poses,
+ *  @throws DataError where the content is not that of the recording. */
+std::string movePoses(ByteView content, const Recording& recording,
                       const std::vector<PoseMove>& moves);
 
-/** The content of a simplemap, and which of its key frames are taken. */
+/** The content of a simplemap with a key frame or more, and which of these are taken. */
 struct SimplemapPart {
   std::string content;              ///< with the poses that its key frames are to have
-  StoredPoses stored;               ///< of the content
+  Recording recording;              ///< of the content
   std::vector<std::size_t> frames;  ///< ascending
 };
 

@@ -3,14 +3,14 @@
 
 #include "TestFolder.h"
 #include "map_files.h"
-#include "roomgraph/scans/StoredPose.h"
+#include "roomgraph/scans/read_simplemap.h"
 
 namespace roomgraph::test {
 
-inline StoredPoses storedIn(const std::string& bytes) {
+inline Recording recordingIn(const std::string& bytes) {
   const TestFolder dir;
   CheckedFile file(dir.write("map", bytes));
-  return readStoredPoses(file);
+  return readSimplemap(file);
 }
 
 }  // namespace roomgraph::test
