@@ -117,5 +117,15 @@ TEST(InnerTree, ofALoopKeepsTheWiderWay) {
   for (const Edge& edge : tree.edges()) EXPECT_GE(edge.path.minClearance, 0.5);
 }
 
+TEST(InnerTree, leadsAlongALoopThatStartsAndEndsAtOneDoor) {
+  const TopologyGraph graph(
+      {vertexOf({0, 0}, 0.5, VertexKind::border)},
+      {edgeOf(0, 0, straight({{0, 0}, {4, 1}, {4, 4}, {-4, 4}, {0, 0}}, 0.5))});
+  const TopologyGraph tree = innerTree(graph, allEdges(graph), {0, 5}, 0.5);
+  ASSERT_EQ(tree.vertices().size(), 2u);
+  EXPECT_EQ(tree.vertices()[1].kind, VertexKind::room);
+  EXPECT_EQ(tree.edges().size(), 1u);
+}
+
 }  // namespace
 }  // namespace roomgraph::test

@@ -95,12 +95,11 @@ TopologyGraph withRoomVertex(TopologyGraph ways, Point center, double minClearan
 
 TopologyGraph innerTree(const TopologyGraph& graph, const std::vector<EdgeId>& edges, Point center,
                         double minClearance) {
-  TopologyGraph tree = wideWays(partOf(graph, edges), HUGE_VAL);
-  return removeDeadEndsWhere(withRoomVertex(std::move(tree), center, minClearance),
-                             [](const Vertex& tip, const Vertex&, const Path&) {
-                               return tip.kind != VertexKind::border &&
-                                      tip.kind != VertexKind::room;
-                             });
+  TopologyGraph ways = withRoomVertex(partOf(graph, edges), center, minClearance);
+  return removeDeadEndsWhere(
+      wideWays(std::move(ways), HUGE_VAL), [](const Vertex& tip, const Vertex&, const Path&) {
+        return tip.kind != VertexKind::border && tip.kind != VertexKind::room;
+      });
 }
 
 }  // namespace roomgraph
