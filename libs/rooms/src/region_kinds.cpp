@@ -18,9 +18,6 @@ namespace {
 /** Closer ones lie on one side of it: there is a branch of the diagram into each dent of a wall. */
 constexpr double kOneSide = 0.5;
 
-/** Of a region in its convex hull; corridors with a bend or a branch have less. */
-constexpr double kLeastSolidity = 2.0 / 3;
-
 /** What lies beside a part of a way between two walls that face each other. */
 struct Stretch {
   double width, area;
@@ -201,9 +198,8 @@ class KindFinder {
   RegionKind kindOf(std::uint32_t region) const {
     if (hasLittleWall(regions_, region)) return RegionKind::halfSeen;
     if (compact_.count(region) > 0) return RegionKind::room;
-    return isCorridor(regions_, region, around(region), widths_[region])
-               ? RegionKind::corridor
-               : RegionKind::room;
+    return isCorridor(regions_, region, around(region), widths_[region]) ? RegionKind::corridor
+                                                                         : RegionKind::room;
   }
 
   RegionGroups& regions_;

@@ -7,6 +7,9 @@
 
 namespace roomgraph {
 
+/** Of a room in its convex hull; corridors with a bend or a branch have less. */
+constexpr double kLeastSolidity = 2.0 / 3;
+
 /** Per vertex that stands for a region, what that is; `widths` are its own ones. Needs areas and
  *  wall shares. */
 std::vector<RegionKind> regionKinds(RegionGroups& regions, const std::vector<double>& widths);
