@@ -90,6 +90,7 @@ TEST(RepairRuns, aRunThatAloneHasSeenAWingIsTrustedWhereThatCannotBeFarOff) {
   EXPECT_FALSE(isTrusted(error));
   error.seen = 0.6;
   EXPECT_TRUE(isTrusted(error));
+  EXPECT_FALSE(isTrusted(MapError())) << "nothing is known of what nobody else has seen";
 }
 
 TEST(RepairRuns, aRunThatWouldFitNoBetterStaysAsItWas) {

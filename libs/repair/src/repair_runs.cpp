@@ -196,7 +196,7 @@ void tellCovariances(const Consensus& consensus, std::vector<RepairedRun>& all) 
 }  // namespace
 
 bool isTrusted(const MapError& error) {
-  return error.seen >= kMajority || error.high < kBreakShift;
+  return error.seen >= kMajority || (error.seen > 0 && error.high < kBreakShift);
 }
 
 bool fitsInTwoWays(const MapError& error) {
