@@ -16,6 +16,7 @@
 #include <filesystem>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/map_files/map_formats.h"
 
 namespace roomgraph {
@@ -26,10 +27,6 @@ namespace fs = std::filesystem;
 constexpr unsigned kWhole = IN_CLOSE_WRITE | IN_MOVED_TO;
 constexpr unsigned kAway = IN_DELETE | IN_MOVED_FROM;
 constexpr unsigned kFolderAway = IN_DELETE_SELF | IN_MOVE_SELF | IN_UNMOUNT | IN_IGNORED;
-
-bool endsWith(const std::string& name, const std::string& end) {
-  return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
-}
 
 /** By its name, which is all that is known of a file that is not whole yet. */
 bool hasExtensionOf(const std::string& name, bool ofPicture) {

@@ -58,9 +58,9 @@ has_lines 5
 field error | grep -q bad.gridmap.gz || fail "no error for a damaged map"
 # A link is a map, too.
 cp "$maps/office_run3.simplemap.gz" linked
-ln -s ../linked in/link.simplemap.gz
+ln -s ../linked in/link.SIMPLEMAP.gz
 has_lines 6
-[ "$(field file)" = in/link.simplemap.gz ] && [ "$(field error)" = None ] || fail "a link is not added"
+[ "$(field file)" = in/link.SIMPLEMAP.gz ] && [ "$(field error)" = None ] || fail "a link is not added"
 # The command has had each line, and its output is no line.
 for i in $(seq 50); do cmp -s told lines && break; sleep 0.1; done
 cmp -s told lines || fail "the command has had other lines"
