@@ -24,6 +24,7 @@ const Json& document() {
     comparison.core = {"morning"};
     comparison.reference = "morning";
     comparison.runs[0].welded = {8, 201};
+    comparison.runs[1].score->givenUp = 0.25;
     return Json::parse(comparisonJson(comparison));
   }();
   return the;
@@ -64,6 +65,12 @@ TEST(ReadComparison, whatIsWeldedAreTwoKeyFrames) {
 void expectOneLine(const std::string& complaint, const std::string& about) {
   EXPECT_EQ(complaint.rfind("c.json: ", 0), 0u) << about << ": " << complaint;
   EXPECT_EQ(complaint.find('\n'), std::string::npos) << about << ": " << complaint;
+}
+
+TEST(ReadComparison, whatContradictsAReferenceIsKept) {
+  const Comparison read = parseComparisonJson(document().dump(), "c.json");
+  EXPECT_DOUBLE_EQ(read.runs[1].score->givenUp, 0.25);
+  EXPECT_FALSE(read.runs[1].score->fitsReference());
 }
 
 TEST(ReadComparison, aWholeDocumentIsRead) { EXPECT_EQ(complaintOf(document()), ""); }

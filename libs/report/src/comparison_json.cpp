@@ -66,6 +66,7 @@ Json runJson(const ComparedRun& run, const Comparison& comparison) {
                {"measures", measuresJson(run.measures)},
                {"path", mapped(run.path, pathPoseJson)}};
   if (run.welded) json["welded"] = {run.welded->first, run.welded->second};
+  if (run.score && run.score->givenUp > 0) json["given_up"] = rounded(run.score->givenUp);
   if (!run.relativePath.empty()) json["relative_path"] = run.relativePath;
   return json;
 }

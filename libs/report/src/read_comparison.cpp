@@ -74,6 +74,7 @@ std::optional<RunScore> score(const JsonNode& node) {
   score.contradicted = number("contradicted"), score.jitter = number("jitter_m");
   score.scale = number("scale"), score.isScaleDisputed = isTrue(node["scale_disputed"]);
   score.isMeaningful = isTrue(node["meaningful"]);
+  if (node.contains("given_up")) score.givenUp = number("given_up");
   return score;
 }
 
