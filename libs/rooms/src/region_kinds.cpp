@@ -133,9 +133,9 @@ bool isWayThrough(const RegionGroups& regions, std::uint32_t region, const Neigh
   return count > 1 && 2 * regions.radius(region) * (1 + kSameWidth) < regions.options().maxWidth;
 }
 
-/** Whether it is too narrow for a room; or narrow, and not closed
- *  by walls and doors; or a way through; or long with two ways out, or far longer than a room with
- *  one. `own` is its own width. */
+/** Whether it is too narrow for a room; or narrow, and not closed by walls and doors; or a way
+ *  through; or long with two ways out, or far longer than a room with one. `own` is its own width.
+ */
 bool isCorridor(const RegionGroups& regions, std::uint32_t region, const Neighbours& around,
                 double own) {
   const double width = 2 * regions.radius(region) * (1 + kSameWidth);

@@ -14,9 +14,10 @@ namespace roomgraph {
 // Next: keyFrameMoves, mergeRuns
 
 /** Puts the key frames of each run of the site where all runs together have them, in the run's own
- *  frame. A run is left as it was where its error may be zero, by its interval, where others
- *  have not seen enough of it (isTrusted), where it fits them in two ways, where its beams refute
- *  that (findRefuted), or where its scans would fit what the others have seen no better. In the order of the site. O(scans). */
+ *  frame. A run is left as it was where its error may be zero, by its interval, where others have
+ *  not seen enough of it (isTrusted), where it fits them in two ways, where its beams refute that
+ *  (findRefuted), or where its scans would fit what the others have seen no better. In the order of
+ *  the site. O(scans). */
 std::vector<RepairedRun> repairRuns(const SolvedSite& solved, const RealPoses& real);
 
 /** Whether others have seen enough of a run to tell where it really lies: most of it, or so much
