@@ -105,6 +105,9 @@ std::string siteSimplemap(const Merging& merging, const MergedMap& map) {
     part.recording = readSimplemap(file);
     part.content = movePoses(file.content(), part.recording,
                              keyFrameMoves(*merging.from[r], merging.poses[r], part.recording));
+    // From here on only the places of their bytes are needed, and there may be gigabytes.
+    for (Recording::Frame& frame : part.recording.frames) frame.scans = {}, frame.clouds = {};
+    part.recording.bytes.reset();
     std::vector<bool> isLeftOut(part.recording.frames.size());
     for (const std::size_t k : map.leftOut[r]) isLeftOut.at(merging.runs[r].scans[k].number) = true;
     const bool isWhollyOut = map.leftOut[r].size() == merging.runs[r].scans.size();

@@ -32,7 +32,7 @@ std::string movePoses(ByteView content, const Recording& recording,
 /** The content of a simplemap with a key frame or more, and which of these are taken. */
 struct SimplemapPart {
   std::string content;              ///< with the poses that its key frames are to have
-  Recording recording;              ///< of the content
+  Recording recording;              ///< of the content; what was seen may be gone from it
   std::vector<std::size_t> frames;  ///< ascending
 };
 
