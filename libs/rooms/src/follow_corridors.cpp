@@ -38,16 +38,14 @@ double narrower(const RegionGroups::Neighbours& two) {
 
 /** What is left over in the one door between two equal pieces would join both: it goes with one.
  *  Two such ways lead round an island, as a shelf in a hall. */
-void joinDoorFrames(RegionGroups& regions, const std::vector<RegionKind>& kinds) {
+void keepDoors(RegionGroups& regions, const std::vector<RegionKind>& kinds) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> frames;
-  const auto isCorridor = [&](std::uint32_t r) { return kinds[r] == RegionKind::corridor; };
-  for (const auto& [region, around] : regions.neighbours()) {
-    if (around.size() != 2 || !isLeftover(regions, region, around)) continue;
-    const std::uint32_t a = around[0].first, b = around[1].first;
-    if (isCorridor(region) && isCorridor(a) && isCorridor(b) &&
-        isDoorOfPieces(regions, narrower(around), a, b))
+  const auto add = [&](std::uint32_t region, const RegionGroups::Neighbours& both) {
+    const std::uint32_t a = both[0].first, b = both[1].first;
+    if (kinds[region] == RegionKind::corridor && isDoorOfPieces(regions, narrower(both), a, b))
       frames[{a, b}].push_back(region);
-  }
+  };
+  eachDoorFrame(regions, kinds, RegionKind::corridor, add);
   for (const auto& [pieces, between] : frames)
     if (between.size() == 1) regions.join(between.front(), pieces.first);
 }
@@ -55,7 +53,7 @@ void joinDoorFrames(RegionGroups& regions, const std::vector<RegionKind>& kinds)
 /** A corridor is narrower at doors that open into it: those do not part it. What has no other way
  *  out than an opening in its side is no piece of it. */
 void joinPieces(RegionGroups& regions, const std::vector<RegionKind>& kinds) {
-  joinDoorFrames(regions, kinds);
+  keepDoors(regions, kinds);
   const RegionGroups::AllNeighbours all = regions.neighbours();
   std::vector<std::uint8_t> mayBeOne(kinds.size());
   for (const auto& [region, around] : all)

@@ -3,12 +3,23 @@
 #include <algorithm>
 #include <utility>
 
+#include "roomgraph/base/sequences.h"
+
 namespace roomgraph {
 namespace {
 
 using Neighbours = RegionGroups::Neighbours;
 /** Sums of areas that differ by less than this share are equal. */
 constexpr double kSameArea = 1e-6;
+
+bool isLeftover(const RegionGroups& regions, std::uint32_t region, const Neighbours& around) {
+  if (regions.area(region) < regions.options().maxLeftoverArea) return true;
+  // A door frame is wider than it is deep; the disc in a room leaves at most its corners over. That
+  // in a cubicle may reach out of its front.
+  const auto isOwnFront = [](const auto& way) { return way.second.isOwnFront; };
+  return regions.elongation(region) < regions.options().minElongation &&
+         std::none_of(around.begin(), around.end(), isOwnFront);
+}
 
 /** The one wider neighbour that a region opens into with nearly its whole width; none where there
  *  are several, or where it is long. What comes back to it is short. */
@@ -83,15 +94,6 @@ bool joinAll(RegionGroups& regions, const IsOne& isOne) {
 
 }  // namespace
 
-bool isLeftover(const RegionGroups& regions, std::uint32_t region, const Neighbours& around) {
-  if (regions.area(region) < regions.options().maxLeftoverArea) return true;
-  // A door frame is wider than it is deep; the disc in a room leaves at most its corners over. That
-  // in a cubicle may reach out of its front.
-  const auto isOwnFront = [](const auto& way) { return way.second.isOwnFront; };
-  return regions.elongation(region) < regions.options().minElongation &&
-         std::none_of(around.begin(), around.end(), isOwnFront);
-}
-
 void joinLeftovers(RegionGroups& regions) {
   const auto isSmall = [&](std::uint32_t region, const Neighbours& around) {
     return isLeftover(regions, region, around) || isAlcove(regions, region, around);
@@ -105,14 +107,20 @@ void joinLeftovers(RegionGroups& regions) {
   while (joinAll(regions, isBayOf));
 }
 
+void eachDoorFrame(RegionGroups& regions, const std::vector<RegionKind>& kinds, RegionKind between,
+                   const std::function<void(std::uint32_t, const Neighbours&)>& visit) {
+  const auto isOfKind = [&](const auto& way) { return kinds[way.first] == between; };
+  for (const auto& [region, around] : regions.neighbours())
+    if (around.size() == 2 && allOf(around, isOfKind) && isLeftover(regions, region, around))
+      visit(region, around);
+}
+
 void joinDoorFrames(RegionGroups& regions, std::vector<RegionKind>& kinds) {
-  const auto isRoom = [&](const auto& way) { return kinds[way.first] == RegionKind::room; };
-  for (const auto& [region, around] : regions.neighbours()) {
-    if (around.size() != 2 || !std::all_of(around.begin(), around.end(), isRoom)) continue;
-    if (!isLeftover(regions, region, around)) continue;
-    kinds[region] = RegionKind::room;
-    regions.join(region, around.front().first);
-  }
+  eachDoorFrame(regions, kinds, RegionKind::room,
+                [&](std::uint32_t region, const Neighbours& both) {
+                  kinds[region] = RegionKind::room;
+                  regions.join(region, both.front().first);
+                });
 }
 
 }  // namespace roomgraph
