@@ -57,8 +57,7 @@ bool isClosedRoom(const Room& room, double widest, const SplitAtDoorsOptions& op
   const double disc = 2 * room.inscribedRadius;
   return disc >= options.minRoomWidth && width >= 2 * disc &&
          widest < std::min(options.corridorRatio * width, options.corridorDoor) &&
-         signedArea(hull) <= options.maxElongation * width * width &&
-         std::abs(signedArea(room.polygon.outer)) >= kLeastSolidity * signedArea(hull);
+         hasRoomShape(std::abs(signedArea(room.polygon.outer)), hull, width, options);
 }
 
 bool isHall(const Room& room, const Rooms& all, double widest, const SplitAtDoorsOptions& options) {
