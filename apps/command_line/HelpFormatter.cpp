@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "roomgraph/base/sequences.h"
+
 namespace roomgraph {
 namespace {
 
@@ -36,8 +38,7 @@ std::string explained(std::string what, const std::string& sentences) {
 
 /** CLI11's own headings are POSITIONALS and OPTIONS since its version 2.6. */
 std::string headingOf(const std::string& group) {
-  const bool isCapital =
-      std::none_of(group.begin(), group.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+  const bool isCapital = !anyOf(group, [](char c) { return c >= 'a' && c <= 'z'; });
   return isCapital ? group.substr(0, 1) + CLI::detail::to_lower(group.substr(1)) : group;
 }
 

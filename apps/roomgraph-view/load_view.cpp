@@ -7,6 +7,7 @@
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/checked_file.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/check/check_run.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/map_files/load_grid.h"
@@ -117,7 +118,7 @@ View loadView(const std::vector<std::string>& files, const ExtractOptions& optio
   const auto comparison = std::find_if(maps.begin(), maps.end(), isComparison);
   const std::string name = comparison == maps.end() ? "" : *comparison;
   if (comparison != maps.end()) maps.erase(comparison);
-  if (!name.empty() && std::any_of(maps.begin(), maps.end(), isComparison))
+  if (!name.empty() && anyOf(maps, isComparison))
     throw UsageError(name + ": name one comparison, and its maps");
   View view = !name.empty()     ? viewOfComparison(name, maps, say)
               : maps.size() > 1 ? viewOfRuns(maps, options, say)

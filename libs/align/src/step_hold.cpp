@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {
@@ -13,12 +14,12 @@ constexpr double kInCommon = 0.15;  // of scans that follow each other, at least
  *  1 for a scan without walls. O(walls^2). */
 double commonWalls(const ScanWalls& other, const ScanWalls& scan) {
   const auto isThere = [&](const WallPoint& wall) {
-    return std::any_of(other.walls.begin(), other.walls.end(), [&](const WallPoint& one) {
+    return anyOf(other.walls, [&](const WallPoint& one) {
       return squaredNorm(one.place - wall.place) < kSameWall * kSameWall &&
              dot(one.normal, wall.normal) > kFacesAlike;
     });
   };
-  const auto count = std::count_if(scan.walls.begin(), scan.walls.end(), isThere);
+  const auto count = countIf(scan.walls, isThere);
   return scan.walls.empty() ? 1 : double(count) / double(scan.walls.size());
 }
 

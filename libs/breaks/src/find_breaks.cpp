@@ -20,8 +20,7 @@ bool areOne(const ScanBreak& l, const ScanBreak& r) {
 }
 
 void addUnlessKnown(const ScanBreak& found, std::vector<ScanBreak>& breaks) {
-  if (std::none_of(breaks.begin(), breaks.end(),
-                   [&](const ScanBreak& known) { return areOne(known, found); }))
+  if (!anyOf(breaks, [&](const ScanBreak& known) { return areOne(known, found); }))
     breaks.push_back(found);
 }
 

@@ -1,6 +1,5 @@
 #include "roomgraph/breaks/site_breaks.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "fitted_breaks.h"
@@ -135,10 +134,9 @@ class BreakSearch {
     std::vector<bool> isKnown(site_.runs[run_]->map.patches.size());
     for (const FollowedPatch& f : followedIn(pairs_, run_, witness).patches)
       isKnown[f.patch] = true;
-    return std::all_of(found.pieces.begin(), found.pieces.end(), [&](const auto& piece) {
-      const auto known =
-          std::count_if(piece.begin(), piece.end(), [&](std::size_t k) { return isKnown[k]; });
-      return 2 * std::size_t(known) >= piece.size();
+    return allOf(found.pieces, [&](const auto& piece) {
+      const auto known = countIf(piece, [&](std::size_t k) { return isKnown[k]; });
+      return 2 * known >= piece.size();
     });
   }
 

@@ -60,8 +60,7 @@ std::vector<ScanPair> pairsBeside(const std::vector<ScanPair>& group,
                                   const std::vector<ScanPair>& pairs, const PathOfRun& path) {
   std::vector<ScanPair> beside;
   std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(beside), [&](const ScanPair& pair) {
-    return std::any_of(group.begin(), group.end(),
-                       [&](const ScanPair& other) { return path.areBeside(pair, other); });
+    return anyOf(group, [&](const ScanPair& other) { return path.areBeside(pair, other); });
   });
   return beside;
 }

@@ -23,7 +23,7 @@ std::vector<std::size_t> lostSteps(const std::vector<StepEvidence>& evidence,
   std::vector<std::size_t> lost;
   for (std::size_t k = 1; k < evidence.size(); ++k)
     if (evidence[k] == StepEvidence::lost && evidence[k - 1] != StepEvidence::lost &&
-        std::none_of(broken.begin(), broken.end(), [&](std::size_t other) {
+        !anyOf(broken, [&](std::size_t other) {
           return std::max(k, other) - std::min(k, other) <= fitted::kSeenBeside;
         }))
       lost.push_back(k);

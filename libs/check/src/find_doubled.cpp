@@ -66,9 +66,8 @@ class DoubledPlaces {
 
   /** In a building that repeats itself much is found, and little of it together. */
   bool areMostlyInliers(const std::vector<ScanPair>& group) const {
-    const auto misses = std::count_if(refuted_.begin(), refuted_.end(), [&](const ScanPair& miss) {
-      return std::any_of(group.begin(), group.end(),
-                         [&](const ScanPair& seen) { return path_.areBeside(miss, seen); });
+    const auto misses = countIf(refuted_, [&](const ScanPair& miss) {
+      return anyOf(group, [&](const ScanPair& seen) { return path_.areBeside(miss, seen); });
     });
     return group.size() >= fitted::kLeastAcross &&
            group.size() > fitted::kFitsPerMiss * std::size_t(misses);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "fitted_check.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/check/find_revisits.h"
 #include "roomgraph/consensus/belief.h"
 #include "roomgraph/consensus/solve_pose_graph.h"
@@ -91,7 +92,7 @@ bool isConfirmed(const SelfConsensus& consensus, const std::vector<std::size_t>&
            behind.size() >= std::min(fitted::kLeastAcross, consensus.poses.size() - k);
   };
   return fits.size() > fitted::kFitsPerMiss * (consensus.revisits.size() - fits.size()) &&
-         std::all_of(breaks.begin(), breaks.end(), isSeenAcross);
+         allOf(breaks, isSeenAcross);
 }
 
 }  // namespace roomgraph

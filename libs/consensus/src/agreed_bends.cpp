@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/geometry/MotionFit.h"
 
@@ -32,9 +33,7 @@ FoundTable foundIn(const Consensus& consensus) {
 }  // namespace
 
 PairBends agreedBends(const Site& site, const Consensus& consensus, PairBends bends) {
-  if (std::any_of(site.runs.begin(), site.runs.end(),
-                  [](const Run* run) { return run->scans.empty(); }))
-    return bends;
+  if (anyOf(site.runs, [](const Run* run) { return run->scans.empty(); })) return bends;
   const FoundTable found = foundIn(consensus);
   for (const auto& [i, j] : bends.pairs()) {
     const RunId a = consensus.graphRuns[i], b = consensus.graphRuns[j];

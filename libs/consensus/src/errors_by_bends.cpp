@@ -33,7 +33,7 @@ std::vector<std::optional<MapError>> errorsAmong(const std::vector<std::size_t>&
   const auto isSure = [&](const PairOfThings& pair) {
     return among(pair.first, pair.second).agreement == 1;
   };
-  if (std::all_of(pairs.begin(), pairs.end(), isSure)) return errors;
+  if (allOf(pairs, isSure)) return errors;
   for (const auto& [i, j] : pairs) among(i, j).bend *= among(i, j).agreement;
   const auto otherwise = estimateMapErrors(among, told, truth);  // by the ways that tell less
   for (std::size_t k = 0; k < errors.size(); ++k) {
@@ -137,7 +137,7 @@ std::vector<MapError> siteErrors(const Site& site, const MapPairs& pairs, const 
                                  const DistinctMaps& maps, const Consensus& consensus) {
   const auto hasScans = [](const Run* run) { return !run->scans.empty(); };
   std::vector<MapError> errors;
-  if (std::all_of(site.runs.begin(), site.runs.end(), hasScans)) {
+  if (allOf(site.runs, hasScans)) {
     for (std::size_t i = 0; i < site.runs.size(); ++i) errors.push_back(consensus.errorOf(i));
     return errors;
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/relate/follow_walls.h"
 
@@ -182,8 +183,7 @@ ErrorSolution solve(const Problem& problem, VectorXd x) {
 
 bool hasPair(const PairBends& bends, std::size_t i) {
   const std::vector<std::size_t>& others = bends.othersOf(i);
-  return std::any_of(others.begin(), others.end(),
-                     [&](std::size_t j) { return bends(i, j).share > 0; });
+  return anyOf(others, [&](std::size_t j) { return bends(i, j).share > 0; });
 }
 
 /** `error` with an interval for a standard deviation of its log. */

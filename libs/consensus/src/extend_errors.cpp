@@ -99,12 +99,11 @@ Correction laidOnto(Walls onto, const Walls& scan, Point robot) {
       if (const auto same = sameWall(there, onto)) fit.add(there.place, *same);
     }
   });
-  const auto met = std::size_t(
-      std::count_if(scan.begin(), scan.end(), [&, by = Motion2D(found)](const WallPoint& wall) {
-        const WallPoint there = moved(wall, by);
-        const auto same = sameWall(there, onto);
-        return same && distance(same->place, there.place) < kSameWall;
-      }));
+  const auto met = countIf(scan, [&, by = Motion2D(found)](const WallPoint& wall) {
+    const WallPoint there = moved(wall, by);
+    const auto same = sameWall(there, onto);
+    return same && distance(same->place, there.place) < kSameWall;
+  });
   if (met < kFewestPoints || double(met) < kMajority * double(scan.size())) return std::nullopt;
   return found;
 }

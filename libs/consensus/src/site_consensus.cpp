@@ -228,9 +228,7 @@ Consensus siteConsensus(const Site& site, const MapPairs& pairs, const DistinctM
                         const ForEach& forEach) {
   Consensus consensus;
   consensus.graphRuns.resize(site.runs.size());
-  if (std::all_of(site.runs.begin(), site.runs.end(),
-                  [](const Run* run) { return run->scans.empty(); }))
-    return consensus;
+  if (allOf(site.runs, [](const Run* run) { return run->scans.empty(); })) return consensus;
   const std::vector<std::size_t> counted = standIns(site, maps);
   const CountedRuns runs(site, pairs, counted);
   PoseGraph& graph = consensus.graph;

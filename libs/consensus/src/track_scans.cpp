@@ -128,7 +128,7 @@ class Tracker {
   }
 
   bool isKnown(std::size_t k, const Transform2D& pose, const PoseTolerance& within) const {
-    return std::any_of(candidates_[k].begin(), candidates_[k].end(), [&](const Candidate& c) {
+    return anyOf(candidates_[k], [&](const Candidate& c) {
       return areNear(c.pose, pose, scans_[k].robot(), within);
     });
   }

@@ -57,8 +57,7 @@ Polyline lineOf(const TopologyGraph& graph, const std::vector<HalfEdgeId>& steps
 
 /** Paths inside of rooms are straight by construction: their lengths say all of them. */
 bool isInRoom(const TopologyGraph& graph, const std::vector<HalfEdgeId>& steps) {
-  return std::all_of(steps.begin(), steps.end(),
-                     [&](HalfEdgeId h) { return bool(graph.edge(h).room); });
+  return allOf(steps, [&](HalfEdgeId h) { return bool(graph.edge(h).room); });
 }
 
 /** The matched paths as a graph over the matched vertices; lengths are means of both. */

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/mrpt_plugin/colours.h"
 #include "roomgraph/mrpt_plugin/shapes.h"
@@ -120,7 +121,7 @@ class Writer {
       const int line = (i + 1) / 2 * (i % 2 == 0 ? -1 : 1);
       const Point up{0, line * kLegendLine * letter_};
       const Box moved{words.low + up, words.high + up};
-      if (std::any_of(taken_.begin(), taken_.end(), [&](const Box& other) {
+      if (anyOf(taken_, [&](const Box& other) {
             return moved.low.x < other.high.x && other.low.x < moved.high.x &&
                    moved.low.y < other.high.y && other.low.y < moved.high.y;
           }))

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "extraction_notes.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/grid/ObstacleRows.h"
 #include "roomgraph/grid/wall_obstacles.h"
 #include "roomgraph/rooms/RoomIndex.h"
@@ -73,9 +74,9 @@ RegionOutlines outlineRegions(const Stages& s) {
 
 /** Whether there are but rooms, and no path from one to the next. */
 bool areClosedRooms(const RegionOutlines& outlines, double clearance) {
-  return outlines.roomCount > 0 &&
-         std::all_of(outlines.borders.begin(), outlines.borders.end(),
-                     [&](const RegionBorder& border) { return border.clearance < clearance; });
+  return outlines.roomCount > 0 && allOf(outlines.borders, [&](const RegionBorder& border) {
+           return border.clearance < clearance;
+         });
 }
 
 /** Paths pass clutter on one side; but in a closed room they are all that there are. */

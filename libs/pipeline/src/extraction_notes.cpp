@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {
@@ -32,11 +33,11 @@ void noteNarrowRegions(const Stages& s, Notes& notes) {
     return !a.isRoom() && width < options.openRoomWidth &&
            area(a.polygon) <= options.maxElongation * width * width;
   };
-  const auto count = std::count_if(s.areas.areas.begin(), s.areas.areas.end(), isNarrow);
-  if (std::size_t(count) <= s.result.rooms.size()) return;
+  const auto count = countIf(s.areas.areas, isNarrow);
+  if (count <= s.result.rooms.size()) return;
   notes.push_back(
       {"narrow_regions",
-       formatted("%td regions narrower than %.2f m are not closed by doors and count as corridor: "
+       formatted("%zu regions narrower than %.2f m are not closed by doors and count as corridor: "
                  "--set split_at_doors.open_room_width=%.2g makes rooms of them",
                  count, options.openRoomWidth, options.minRoomWidth)});
 }

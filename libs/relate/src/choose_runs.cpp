@@ -71,18 +71,17 @@ class Choosing {
 
   bool isOfChosenDrive(std::size_t run) const {
     const std::vector<ScanWalls>& scans = runs_[run]->scans;
-    const auto same = std::count_if(scans.begin(), scans.end(), [&](const ScanWalls& scan) {
-      return scans_.count(scan.scanId) > 0;
-    });
+    const auto same =
+        countIf(scans, [&](const ScanWalls& scan) { return scans_.count(scan.scanId) > 0; });
     return sharesDrive(std::size_t(same), scans.size());
   }
 
   std::size_t addedBy(std::size_t run) const {
     const SeenPlaces& places = seen_[run];
-    return std::size_t(std::count_if(places.begin(), places.end(), [&](std::int64_t place) {
+    return countIf(places, [&](std::int64_t place) {
       const auto count = counts_.find(place);
       return worth_.count(place) > 0 && (count == counts_.end() || count->second < kFewestOthers);
-    }));
+    });
   }
 
   /** The run that adds most, of equal ones the first; behind all where none adds anything. */

@@ -110,10 +110,9 @@ void show(Numbers& numbers, MapPair& pair) {
 }
 
 bool areOf(const FollowedWalls& walls, const WallMap& map) {
-  return std::all_of(walls.patches.begin(), walls.patches.end(),
-                     [&](const FollowedPatch& followed) {
-                       return followed.patch < map.patches.size() && followed.layer >= 0;
-                     });
+  return allOf(walls.patches, [&](const FollowedPatch& followed) {
+    return followed.patch < map.patches.size() && followed.layer >= 0;
+  });
 }
 
 double radiusOf(const WallMap& map) {
@@ -128,8 +127,7 @@ bool canMeet(const FollowedWalls& walls, const WallMap& a, const WallMap& b) {
     return norm(pose(b.middle()) - a.middle()) <= farthest;
   };
   return isNear(walls.pose) &&
-         std::all_of(walls.patches.begin(), walls.patches.end(),
-                     [&](const FollowedPatch& followed) { return isNear(followed.pose); });
+         allOf(walls.patches, [&](const FollowedPatch& followed) { return isNear(followed.pose); });
 }
 
 bool canMeet(const MapPair& pair, const WallMap& a, const WallMap& b) {

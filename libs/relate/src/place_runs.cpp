@@ -212,9 +212,9 @@ const FollowedWalls& followedIn(const MapPairs& pairs, std::size_t of, std::size
 
 std::size_t countSure(const MapPairs& pairs, std::size_t run) {
   const std::vector<std::size_t>& others = pairs.othersOf(run);
-  return std::size_t(std::count_if(others.begin(), others.end(), [&](std::size_t other) {
+  return countIf(others, [&](std::size_t other) {
     return pairs(run, other).alignment.confidence >= kSureConfidence;
-  }));
+  });
 }
 
 PairBends bendsOf(const MapPairs& pairs) {

@@ -5,6 +5,7 @@
 #include "fitted_relate.h"
 #include "roomgraph/align/find_scan.h"
 #include "roomgraph/align/wall_share.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/relate/sight_walls.h"
 
@@ -29,8 +30,7 @@ std::vector<std::uint32_t> patchesWith(const std::vector<std::uint32_t>& walls,
   };
   std::vector<std::uint32_t> found;
   for (std::uint32_t patch = 0; patch < patches.size(); ++patch)
-    if (std::any_of(patches[patch].own.begin(), patches[patch].own.end(), isOne))
-      found.push_back(patch);
+    if (anyOf(patches[patch].own, isOne)) found.push_back(patch);
   return found;
 }
 
@@ -42,7 +42,7 @@ std::optional<ScanFit> placeOf(const LocalScan& scan, const WallMap& other,
   if (best == fits.end() || best->quality < kMajority || best->known < kSureQuality ||
       best->hold < fitted::kTornHold)
     return std::nullopt;
-  const bool isAmbiguous = std::any_of(fits.begin(), fits.end(), [&](const ScanFit& fit) {
+  const bool isAmbiguous = anyOf(fits, [&](const ScanFit& fit) {
     return fit.score > kRivalScore * best->score && !areNear(fit.pose, best->pose, {}, kSameAnswer);
   });
   return isAmbiguous ? std::nullopt : std::optional(*best);

@@ -1,7 +1,5 @@
 #include "OtherWalls.h"
 
-#include <algorithm>
-
 #include "fitted_repair.h"
 #include "roomgraph/base/sequences.h"
 
@@ -15,9 +13,8 @@ OtherWalls::OtherWalls(const SolvedSite& solved, std::size_t but,
     const std::vector<LocalScan> local = localScans(solved.site.runs[i]->scans);
     const std::vector<Transform2D> real = solved.consensus.posesOf(i);
     for (std::size_t k = 0; k < local.size(); ++k) {
-      if (std::none_of(places.begin(), places.end(), [&](Point place) {
-            return distance(place, real[k].shift()) < fitted::kEarshot;
-          }))
+      if (!anyOf(places,
+                 [&](Point place) { return distance(place, real[k].shift()) < fitted::kEarshot; }))
         continue;
       scans.push_back(local[k]);
       poses.push_back(real[k]);

@@ -7,6 +7,7 @@
 #include "roomgraph/align/find_scan.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/check/find_refuted.h"
 #include "roomgraph/compare/RunScore.h"
@@ -143,8 +144,7 @@ class Carrier {
   /** Whether what lies around a place fits about as well where the maps may lie in each other
    *  otherwise, as in a building that repeats itself. */
   bool looksAlikeElsewhere(const Place& place, const LocalScan& view, const ScanFit& here) const {
-    return otherPoses_.empty() ||
-           std::any_of(otherPoses_.begin(), otherPoses_.end(), [&](const Transform2D& pose) {
+    return otherPoses_.empty() || anyOf(otherPoses_, [&](const Transform2D& pose) {
              const ScanFit fit = fitNear(view, new_, pose * place.pose);
              return !areNear(fit.pose, here.pose, {}, kSameAnswer) &&
                     fit.score > kRivalScore * here.score;
@@ -187,8 +187,8 @@ void doubtAllIfNearlyAllAre(std::vector<CarriedPlace>& places) {
   const auto isAmbiguous = [](const CarriedPlace& p) {
     return p.reason == kTwice || p.reason == kAmbiguous;
   };
-  const auto ambiguous = double(std::count_if(places.begin(), places.end(), isAmbiguous));
-  const auto carried = double(std::count_if(places.begin(), places.end(), isCarried));
+  const auto ambiguous = double(countIf(places, isAmbiguous));
+  const auto carried = double(countIf(places, isCarried));
   if (ambiguous < kNearlyAll * (ambiguous + carried)) return;
   for (CarriedPlace& place : places)
     if (isCarried(place)) place.state = CarryState::unsure, place.reason = kAmbiguous;

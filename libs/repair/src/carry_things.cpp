@@ -103,9 +103,9 @@ std::vector<bool> keepShape(const std::vector<Transform2D>& were, std::vector<Tr
       for (const std::size_t k : neighbours[i])
         words.push_back(before[k] * were[k].inverse() * were[i]);
       const auto agreeing = [&](const Transform2D& pose) {
-        return std::size_t(std::count_if(words.begin(), words.end(), [&](const Transform2D& word) {
+        return countIf(words, [&](const Transform2D& word) {
           return distance(word.shift(), pose.shift()) < BendField::kSameCopy;
-        }));
+        });
       };
       for (const Transform2D& word : words) {
         if (2 * agreeing(word) <= words.size() || 2 * agreeing(before[i]) > words.size()) continue;

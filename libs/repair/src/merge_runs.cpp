@@ -27,8 +27,7 @@ class Merger {
     for (const MergedRun& run : runs)
       if (!run.drawn.empty() && run.drawn.size() != run.scans.size())
         throw UsageError("merge_runs: " + run.name + " has other scans than it has drawn");
-    const bool areTimed = std::all_of(runs.begin(), runs.end(),
-                                      [](const MergedRun& run) { return run.time.has_value(); });
+    const bool areTimed = allOf(runs, [](const MergedRun& run) { return run.time.has_value(); });
     const auto timeOf = [&](std::size_t back) { return runs_[order_[runs.size() - back]].time; };
     knowsLatest_ = areTimed && (runs.size() < 3 || timeOf(3) < timeOf(2));
     setFrame();

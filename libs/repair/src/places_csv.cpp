@@ -9,6 +9,7 @@
 #include "roomgraph/base/csv_text.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/repair/places_formats.h"
 
 namespace roomgraph {
@@ -26,7 +27,7 @@ class PlacesTable {
   PlacesTable(const std::string& text, const std::string& file) : file_(file), reader_(text) {
     names_ = reader_.nextLine();
     for (const char* name : {"name", "x", "y", "yaw"})
-      if (std::count_if(names_.begin(), names_.end(), isNamed(name)) > 1)
+      if (countIf(names_, isNamed(name)) > 1)
         refuse(file, std::string("has two columns '") + name + "'", "leave one of them out");
     for (const char* needed : {"x", "y"})
       if (!columnOf(needed))

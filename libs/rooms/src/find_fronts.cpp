@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "goes_on.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {
@@ -154,7 +155,7 @@ std::vector<CubicleEnd> findFronts(const RegionGroups& regions, const Grid& grid
     const auto isNarrower = [&](const Front& other) {
       return other.width < front.width * (1 - kSameWidth) && areNear(front, other);
     };
-    if (std::none_of(fronts.begin(), fronts.end(), isNarrower)) sides[front.edge] = front.side;
+    if (!anyOf(fronts, isNarrower)) sides[front.edge] = front.side;
   }
   return sides;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "region_kinds.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/rooms/trace_rooms.h"
 
 namespace roomgraph {
@@ -28,7 +29,7 @@ Surrounded surroundedBy(const Room& room, const Rooms& all, double minArea) {
       return box.contains(other.widestPlace) && &other != &room &&
              sideOf(inside, other.widestPlace) == Side::inside && area(other.polygon) >= minArea;
     };
-    if (std::none_of(all.begin(), all.end(), isIn))
+    if (!anyOf(all, isIn))
       found.islands.push_back(&hole);
     else
       found.bounds.insert(found.bounds.end(), hole.begin(), hole.end());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/geometry/intersect.h"
 #include "roomgraph/topology/shortest_ways.h"
 
@@ -17,7 +18,7 @@ AreaId areaAt(const AreaGraph& areas, Point place) {
 
 /** Whether an area is closed all round, but for windows. */
 bool isClosed(const AreaGraph& areas, AreaId area) {
-  return std::none_of(areas.passages.begin(), areas.passages.end(), [&](const Passage& passage) {
+  return !anyOf(areas.passages, [&](const Passage& passage) {
     return passage.b && (passage.a == area || passage.b == area);
   });
 }

@@ -117,7 +117,7 @@ class Hall {
   /** Whether one of those near a vertex is nearly between it and another one of them. */
   bool isBlocked(double away, VertexId b, const std::vector<Near>& near) const {
     const Point to = ways_.placeOf(b);
-    return std::any_of(near.begin(), near.end(), [&](const Near& n) {
+    return anyOf(near, [&](const Near& n) {
       const Point place = ways_.placeOf(n.second);
       return place != to && n.first + distance(place, to) < kNearly * away;
     });

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "roomgraph/base/sequences.h"
+
 namespace roomgraph {
 namespace {
 
@@ -9,8 +11,7 @@ namespace {
 bool hasOneCorridor(const TopologyGraph& graph, VertexId v) {
   const auto out = graph.outgoing(v);
   return graph.vertex(v).kind == VertexKind::border &&
-         std::count_if(out.begin(), out.end(), [&](HalfEdgeId h) { return !graph.edge(h).room; }) ==
-             1;
+         countIf(out, [&](HalfEdgeId h) { return !graph.edge(h).room; }) == 1;
 }
 
 bool isDoor(const TopologyGraph& graph, const Edge& edge, double maxDepth) {

@@ -1,6 +1,5 @@
 #include "join_leftovers.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "roomgraph/base/sequences.h"
@@ -17,8 +16,7 @@ bool isLeftover(const RegionGroups& regions, std::uint32_t region, const Neighbo
   // A door frame is wider than it is deep; the disc in a room leaves at most its corners over. That
   // in a cubicle may reach out of its front.
   const auto isOwnFront = [](const auto& way) { return way.second.isOwnFront; };
-  return regions.elongation(region) < regions.options().minElongation &&
-         std::none_of(around.begin(), around.end(), isOwnFront);
+  return regions.elongation(region) < regions.options().minElongation && !anyOf(around, isOwnFront);
 }
 
 /** The one wider neighbour that a region opens into with nearly its whole width; none where there
@@ -49,7 +47,7 @@ bool isBay(const RegionGroups& regions, std::uint32_t region, const Neighbours& 
   if (regions.isNarrow(region) || regions.wallShare(region) < regions.options().minWallShare)
     return false;
   const auto isFront = [](const auto& way) { return way.second.isFront; };
-  if (std::any_of(around.begin(), around.end(), isFront)) return false;
+  if (anyOf(around, isFront)) return false;
   const std::uint32_t room = openTo(regions, region, around);
   return room != Regions::kNone && !regions.isLong(room);
 }

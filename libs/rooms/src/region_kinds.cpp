@@ -80,7 +80,7 @@ bool isBehindDoors(const RegionGroups& regions, std::uint32_t region, const Neig
 /** Whether doors close it that would part two pieces of corridor, too. */
 bool isBehindNarrowDoors(const RegionGroups& regions, std::uint32_t region,
                          const Neighbours& around) {
-  return std::all_of(around.begin(), around.end(), [&](const auto& way) {
+  return allOf(around, [&](const auto& way) {
     const double clearance = way.second.clearance;
     return clearance <
                regions.options().corridorRatio * regions.radius(region) * (1 - kSameWidth) &&
@@ -121,7 +121,7 @@ bool isCompact(const RegionGroups& regions, std::uint32_t region, std::vector<Po
 bool isSeenEnough(const RegionGroups& regions, std::uint32_t region, const Neighbours& exits) {
   const auto isLong = [&](const auto& way) { return regions.isLong(way.first); };
   return regions.wallShare(region) >= regions.options().minClosedShare ||
-         (!exits.empty() && std::all_of(exits.begin(), exits.end(), isLong));
+         (!exits.empty() && allOf(exits, isLong));
 }
 
 /** Whether it is no wider than a door may be, and opens with nearly its whole width on two sides.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/rooms/hall_ways.h"
 #include "roomgraph/rooms/inner_ways.h"
 #include "straight_ways.h"
@@ -116,8 +117,7 @@ class RoomBuilder {
     if (sideOf(room.polygon, star.center) != Side::inside || star.clearance < clearance_)
       return false;
     const RoomIndex index({room}, clearance_);
-    return std::all_of(star.paths.begin(), star.paths.end(),
-                       [&](const Path& path) { return isClear(index, path); });
+    return allOf(star.paths, [&](const Path& path) { return isClear(index, path); });
   }
 
   const TopologyGraph& graph_;

@@ -1,6 +1,6 @@
 #include "roomgraph/rooms/short_dead_ends.h"
 
-#include <algorithm>
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {
@@ -28,8 +28,8 @@ void demoteLoneBorders(TopologyGraph& graph) {
     Vertex& vertex = graph.vertex(VertexId(v));
     if (vertex.kind != VertexKind::border) continue;
     const auto out = graph.outgoing(VertexId(v));
-    const bool bordersNothing = std::all_of(
-        out.begin(), out.end(), [&](HalfEdgeId h) { return graph.edge(h).room == vertex.room; });
+    const bool bordersNothing =
+        allOf(out, [&](HalfEdgeId h) { return graph.edge(h).room == vertex.room; });
     if (bordersNothing) vertex.kind = VertexKind::junction;
   }
 }

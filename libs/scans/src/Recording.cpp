@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "roomgraph/base/sequences.h"
+
 namespace roomgraph {
 
 std::optional<double> Recording::Frame::time() const {
@@ -26,9 +28,8 @@ bool Recording::Sensor::operator<(const Sensor& other) const {
 }
 
 std::size_t Recording::framesWithoutScans() const {
-  return std::size_t(std::count_if(frames.begin(), frames.end(), [](const Frame& frame) {
-    return frame.scans.empty() && frame.clouds.empty();
-  }));
+  return countIf(frames,
+                 [](const Frame& frame) { return frame.scans.empty() && frame.clouds.empty(); });
 }
 
 double Recording::pathLength() const {

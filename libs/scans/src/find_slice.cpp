@@ -9,6 +9,7 @@
 
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {
@@ -100,9 +101,8 @@ bool seesFloor(const std::vector<Voxels::Column>& floor, const Layers& layers, s
   std::unordered_set<std::uint64_t> walls;
   for (std::size_t k = from; k < std::min(to, layers.size()); ++k)
     for (const Voxels::Column& column : layers[k]) walls.insert(key(column));
-  const auto under = std::count_if(floor.begin(), floor.end(), [&](const Voxels::Column& column) {
-    return walls.count(key(column)) > 0;
-  });
+  const auto under =
+      countIf(floor, [&](const Voxels::Column& column) { return walls.count(key(column)) > 0; });
   return double(under) <= mostUnderWalls * double(floor.size());
 }
 

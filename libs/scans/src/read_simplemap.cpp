@@ -1,8 +1,7 @@
 #include "roomgraph/scans/read_simplemap.h"
 
-#include <algorithm>
-
 #include "roomgraph/base/checked_file.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/scans/mrpt_object.h"
 #include "roomgraph/scans/read_cloud.h"
 #include "roomgraph/scans/read_observation.h"
@@ -146,8 +145,7 @@ Recording readSimplemap(CheckedFile& file) {
   recording.compression = file.compression();
   readEntries(ByteReader(file.content(), file.name()), recording);
   recording.sha256 = file.sha256();
-  if (std::all_of(recording.frames.begin(), recording.frames.end(),
-                  [](const Recording::Frame& frame) { return frame.clouds.empty(); }))
+  if (allOf(recording.frames, [](const Recording::Frame& frame) { return frame.clouds.empty(); }))
     file.release();
   return recording;
 }

@@ -1,8 +1,8 @@
 #pragma once
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
@@ -34,8 +34,8 @@ inline bool areNear(const Transform2D& l, const Transform2D& r, Point place,
 /** Whether this is so of one of several poses. */
 inline bool isNearAny(const std::vector<Transform2D>& poses, const Transform2D& pose, Point place,
                       const PoseTolerance& within) {
-  return std::any_of(poses.begin(), poses.end(),
-                     [&](const Transform2D& other) { return areNear(other, pose, place, within); });
+  return anyOf(poses,
+               [&](const Transform2D& other) { return areNear(other, pose, place, within); });
 }
 
 /** Of some that are sorted, the best first: up to `count` that are not the same as a better one. */
@@ -45,8 +45,7 @@ std::vector<Thing> distinctBest(const std::vector<Thing>& sorted, std::size_t co
   std::vector<Thing> best;
   for (const Thing& thing : sorted) {
     if (best.size() == count) break;
-    if (std::none_of(best.begin(), best.end(),
-                     [&](const Thing& better) { return areSame(better, thing); }))
+    if (!anyOf(best, [&](const Thing& better) { return areSame(better, thing); }))
       best.push_back(thing);
   }
   return best;
