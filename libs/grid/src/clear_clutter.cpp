@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ClutterGroup.h"
+#include "find_furniture.h"
 #include "roomgraph/base/sequences.h"
 #include "roomgraph/geometry/Transform2D.h"
 
@@ -37,8 +38,9 @@ class ClutterFinder {
         marks_(grid.cells.size(), Mark::unseen) {}
 
   /** Frees the groups of these cells that are clutter, and tells about them: first what is small,
-   *  then all tables among what is left, so that the order of the cells does not matter. */
-  std::vector<Clutter> clear(const std::vector<Cell>& obstacles) {
+   *  then all tables among what is left, so that the order of the cells does not matter. What is
+   *  furniture then goes into `furniture`. */
+  std::vector<Clutter> clear(const std::vector<Cell>& obstacles, std::vector<Cell>& furniture) {
     std::vector<ClutterGroup> found;
     for (const Cell cell : obstacles) {
       if (!grid_.frame.contains(cell) || marks_[grid_.frame.index(cell)] != Mark::unseen) continue;
@@ -50,7 +52,12 @@ class ClutterFinder {
             [&](const ClutterGroup& group) { return isSmall(group) && isPieceOfWall(group); });
     for (const ClutterGroup& group : found)
       if (isSmall(group)) freeCells(group);
-    eraseIf(found, [&](const ClutterGroup& group) { return !isSmall(group) && !isTable(group); });
+    const auto rest = std::stable_partition(
+        found.begin(), found.end(),
+        [&](const ClutterGroup& group) { return isSmall(group) || isTable(group); });
+    std::vector<ClutterGroup> larger(std::make_move_iterator(rest),
+                                     std::make_move_iterator(found.end()));
+    found.erase(rest, found.end());
     std::vector<Clutter> clutter;
     for (const ClutterGroup& group : found) {
       freeCells(group);
@@ -59,6 +66,8 @@ class ClutterFinder {
         clutter.push_back({midpoint(frame.center(group.box.low), frame.center(group.box.high)),
                            frame.resolution * group.size});
     }
+    for (const ClutterGroup& group : furnitureAmong(std::move(larger), grid_, maxSize_))
+      furniture.insert(furniture.end(), group.cells.begin(), group.cells.end());
     return clutter;
   }
 
@@ -89,16 +98,12 @@ class ClutterFinder {
       group_.wall += grid_.at(cell) == State::occupied ? 1 : 0;
     }
     group_.size = sizeOf(group_);
-    return isSmall(group_) || (metres(group_.size) <= maxTable_ && isCompact(group_));
+    return metres(group_.size) <= kLongestFurniture * maxSize_;
   }
 
   double metres(double cells) const { return grid_.frame.resolution * cells; }
 
   bool isSmall(const ClutterGroup& group) const { return metres(group.size) <= maxSize_; }
-
-  static bool isCompact(const ClutterGroup& group) {
-    return double(group.cells.size()) >= kTableShare * group.size * group.size;
-  }
 
   /** Whether it fills a part of a gap between two walls that are in line with it, as do the pier
    *  between two doors and the posts of a glass front. Not what stands in a single door. */
@@ -187,6 +192,9 @@ class ClutterFinder {
    *  a hall splits nothing, and a row of cupboards with doors between them has space on two sides:
    *  both stay. */
   bool isTable(const ClutterGroup& group) {
+    if (metres(group.size) > maxTable_ ||
+        double(group.cells.size()) < kTableShare * group.size * group.size)
+      return false;
     mark(group, Mark::inGroup);
     const bool isAlone = looksToObstacles(group, maxSize_) == 0;
     const int walls = looksToObstacles(group, isAlone ? 2 * maxTable_ : maxTable_);
@@ -214,7 +222,8 @@ class ClutterFinder {
     if (grid_.cells[index] == State::free || marks_[index] == Mark::inGroup) return true;
     if (marks_[index] == Mark::other) return false;
     open_.push_back(near);
-    return !add(near) || metres(std::max(group_.box.width(), group_.box.height())) <= maxTable_;
+    return !add(near) || metres(std::max(group_.box.width(), group_.box.height())) <=
+                             kLongestFurniture * maxSize_;
   }
 
   /** Returns whether the box of the group has grown. */
@@ -233,23 +242,36 @@ class ClutterFinder {
   std::vector<Cell> open_;  // of it, whose neighbours are not visited yet
 };
 
+/** An obstacle whose cell has become free was clutter. */
+void markClutter(ClearedMap& cleared, const ObstacleCells& obstacles) {
+  for (std::size_t i = 0; i < obstacles.cells.size(); ++i)
+    cleared.isClutter[i] = cleared.grid.atOrUnknown(obstacles.cells[i]) == State::free;
+}
+
 }  // namespace
 
 void describe(ClearClutterOptions& options, FieldTable& table) {
   table.number(
       "clear_clutter", "max_size", options.maxSize, "m", 0, 10,
       "Free-standing obstacles up to this size do not split rooms; nor do compact ones up to twice "
-      "this size with walls near on most sides, such as tables. An obstacle in line with walls on "
-      "two sides, such as the pier between two doors, counts as wall. 0 keeps all obstacles.");
+      "this size with walls near on most sides, such as tables, nor solid ones up to twice as wide "
+      "and five times as long with space all round, such as shelves. An obstacle in line with "
+      "walls, such as the pier between two doors, counts as wall. 0 keeps all obstacles.");
 }
 
 ClearedMap clearClutter(const Grid& grid, const ObstacleCells& obstacles,
                         const ClearClutterOptions& options) {
-  ClearedMap cleared{grid, std::vector<std::uint8_t>(obstacles.cells.size()), {}};
-  cleared.clutter = ClutterFinder(cleared.grid, options.maxSize).clear(obstacles.cells);
-  // An obstacle whose cell has become free was clutter.
-  for (std::size_t i = 0; i < obstacles.cells.size(); ++i)
-    cleared.isClutter[i] = cleared.grid.atOrUnknown(obstacles.cells[i]) == State::free;
+  ClearedMap cleared{grid, std::vector<std::uint8_t>(obstacles.cells.size()), {}, {}};
+  cleared.clutter =
+      ClutterFinder(cleared.grid, options.maxSize).clear(obstacles.cells, cleared.furniture);
+  markClutter(cleared, obstacles);
+  return cleared;
+}
+
+ClearedMap withoutFurniture(ClearedMap cleared, const ObstacleCells& obstacles) {
+  const GridFrame& frame = cleared.grid.frame;
+  for (const Cell cell : cleared.furniture) cleared.grid.cells[frame.index(cell)] = State::free;
+  markClutter(cleared, obstacles);
   return cleared;
 }
 

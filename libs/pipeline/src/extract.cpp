@@ -53,23 +53,29 @@ ObstacleCells obstaclesOf(const Stages& s) {
 
 /** III-B with one alpha, or ours. */
 Regions findRegions(const VoronoiGraph& voronoi, const InsideFlags& isInside,
-                    const std::vector<std::uint8_t>& isWall, const Stages& s) {
+                    const std::vector<std::uint8_t>& isWall, const Grid& grid, const Stages& s) {
   KeepClearOptions anyPassage;
   anyPassage.minClearance = 0;
-  const double resolution = s.grid.frame.resolution;
+  const double resolution = grid.frame.resolution;
   const double minClearance = effectiveClearance(anyPassage, resolution);
   if (s.roomRadius > 0) return findRooms(voronoi, isInside, s.roomRadius, minClearance);
-  return splitAtDoors(voronoi, isInside, isWall, minClearance, s.cleared.grid,
-                      s.options.splitAtDoors);
+  return splitAtDoors(voronoi, isInside, isWall, minClearance, grid, s.options.splitAtDoors);
 }
 
-/** On the map without clutter. Its diagram is as large as the other, and not needed for long. */
-RegionOutlines outlineRegions(const Stages& s) {
-  const VoronoiGraph voronoi = voronoiWithout(s.voronoi, s.obstacles, s.cleared.isClutter);
-  const InsideFlags isInside = keepInside(voronoi, s.cleared.grid, s.options.keepInside);
+/** On an open map, without clutter and furniture. Its diagram is as large as the other, and not
+ *  needed for long. */
+RegionOutlines outlineRegions(const Stages& s, const ClearedMap& open) {
+  const VoronoiGraph voronoi = voronoiWithout(s.voronoi, s.obstacles, open.isClutter);
+  const InsideFlags isInside = keepInside(voronoi, open.grid, s.options.keepInside);
   const std::vector<std::uint8_t> isWall = wallObstacles(s.grid, s.obstacles);
-  return regionOutlines(s.cleared.grid, voronoi, isInside,
-                        findRegions(voronoi, isInside, isWall, s), isWall);
+  return regionOutlines(open.grid, voronoi, isInside,
+                        findRegions(voronoi, isInside, isWall, open.grid, s), isWall);
+}
+
+/** A map without furniture is open already, and not copied. */
+RegionOutlines outlineRegions(const Stages& s) {
+  return s.cleared.furniture.empty() ? outlineRegions(s, s.cleared)
+                                     : outlineRegions(s, withoutFurniture(s.cleared, s.obstacles));
 }
 
 /** Whether there are but rooms, and no path from one to the next. */

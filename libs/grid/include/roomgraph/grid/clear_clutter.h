@@ -11,7 +11,7 @@ namespace roomgraph {
 // Paper, end of IV-C: "one would first need to filter out smaller obstacles (e.g. using a 'pillar
 // detection')"
 // In:   Grid, ObstacleCells
-// Out:  the same without clutter, to find rooms in
+// Out:  the same without clutter, and what of the rest is furniture, to find rooms in
 // Next: voronoiWithout
 
 struct ClearClutterOptions {
@@ -30,6 +30,7 @@ struct ClearedMap {
   Grid grid;                            ///< the map without clutter
   std::vector<std::uint8_t> isClutter;  ///< per obstacle; non-zero where it belongs to clutter
   std::vector<Clutter> clutter;  ///< by its first cell in the order of rows; without unseen specks
+  std::vector<Cell> furniture;   ///< what is in the grid and splits no room either
 };
 
 /** Frees every connected group (8 neighbours) of cells that are not free, is not larger than the
@@ -40,8 +41,15 @@ struct ClearedMap {
  *  that are in line with it, which are farther apart than the limit, is wall: the pier between two
  *  doors, a stub beside a hole, a post. Specks that beams have missed are cleared as well: groups
  *  with fewer occupied cells than half of the length of their rim. They are no obstacles, and so
- *  not in `clutter`. `obstacles` must be those of `grid`. O(cells). */
+ *  not in `clutter`. `obstacles` must be those of `grid`. O(cells).
+ *
+ *  Of what is left, furniture is what is solid, at most five times as long as the limit, between a
+ *  quarter of it and twice it wide, with space for a robot all round, and not in line with a wall
+ *  that goes on behind a gap no wider than a door: a shelf, a counter, a bench, a row of seats. */
 [[nodiscard]] ClearedMap clearClutter(const Grid& grid, const ObstacleCells& obstacles,
                                       const ClearClutterOptions& options);
+
+/** The same as if its furniture were clutter, to find rooms in; ways lead round it. O(cells). */
+[[nodiscard]] ClearedMap withoutFurniture(ClearedMap cleared, const ObstacleCells& obstacles);
 
 }  // namespace roomgraph

@@ -1,0 +1,141 @@
+#include "find_furniture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <unordered_map>
+
+#include "roomgraph/base/sequences.h"
+#include "roomgraph/geometry/Polygon.h"
+
+namespace roomgraph {
+namespace {
+
+/** Of the size of the largest clutter: how wide furniture is, from what is thicker than a wall to a
+ *  table; how much space it has round it, which is the width of a robot; and how wide a gap between
+ *  two pieces of one wall may be, which is that of a wide door. */
+constexpr double kThinnest = 0.25, kWidest = 2, kApart = 0.4, kWidestGap = 1.5;
+/** Of its convex hull, and with what beams have missed of it. */
+constexpr double kSolid = 0.75;
+/** A wall is so much thicker or thinner than a pier in it at most. */
+constexpr double kThicker = 1.5, kThinner = 2;
+
+class FurnitureFinder {
+ public:
+  FurnitureFinder(const Grid& grid, double maxSize) : grid_(grid), maxSize_(maxSize) {}
+
+  std::vector<ClutterGroup> among(std::vector<ClutterGroup> groups) {
+    eraseIf(groups, [&](const ClutterGroup& group) { return !isBlock(group) || !isApart(group); });
+    for (std::size_t i = 0; i < groups.size(); ++i)
+      for (const Cell cell : groups[i].cells) groupAt_[grid_.frame.index(cell)] = i;
+    findPiers(groups);
+    std::size_t i = 0;
+    eraseIf(groups, [&](const ClutterGroup&) { return isPier_[i++]; });
+    return groups;
+  }
+
+ private:
+  double cells(double share) const { return share * maxSize_ / grid_.frame.resolution; }
+
+  bool isSolid(Point place) const { return grid_.atOrUnknown(cellAt(place)) != State::free; }
+
+  static Cell cellAt(Point place) { return {int(std::lround(place.x)), int(std::lround(place.y))}; }
+
+  bool isBlock(const ClutterGroup& group) const {
+    std::vector<Point> corners;
+    for (const Cell cell : group.cells)
+      for (const double dx : {-0.5, 0.5})
+        for (const double dy : {-0.5, 0.5}) corners.push_back({cell.x + dx, cell.y + dy});
+    const Ring hull = convexHull(std::move(corners));
+    const double width = leastWidth(hull);
+    return width >= cells(kThinnest) && width <= cells(kWidest) &&
+           double(group.cells.size()) >= kSolid * signedArea(hull);
+  }
+
+  bool isApart(const ClutterGroup& group) const {
+    std::vector<Cell> own = group.cells;
+    std::sort(own.begin(), own.end(), isBefore);
+    const int reach = int(cells(kApart));
+    const auto isOther = [&](Cell cell) {
+      return grid_.frame.contains(cell) && grid_.at(cell) != State::free &&
+             !std::binary_search(own.begin(), own.end(), cell, isBefore);
+    };
+    return allOf(own, [&](Cell cell) {
+      if (grid_.countBeside(cell, State::free) == 0) return true;
+      for (int dy = -reach; dy <= reach; ++dy)
+        for (int dx = -reach; dx <= reach; ++dx)
+          if (dx * dx + dy * dy <= reach * reach && isOther({cell.x + dx, cell.y + dy}))
+            return false;
+      return true;
+    });
+  }
+
+  static bool isBefore(Cell l, Cell r) { return l.y != r.y ? l.y < r.y : l.x < r.x; }
+
+  /** Piers are in line with a wall, or with another pier; so the last one of a row of shelves would
+   *  have to be in line with a wall before any of them is. */
+  void findPiers(const std::vector<ClutterGroup>& groups) {
+    std::vector<std::vector<std::size_t>> lines;  // the cells where what is in line with it begins
+    for (const ClutterGroup& group : groups) lines.push_back(inLineWith(group));
+    isPier_.assign(groups.size(), 0);
+    const auto isWall = [&](std::size_t cell) {
+      const auto it = groupAt_.find(cell);
+      return it == groupAt_.end() || isPier_[it->second];
+    };
+    for (bool isAny = true; isAny;) {
+      isAny = false;
+      for (std::size_t i = 0; i < groups.size(); ++i)
+        if (!isPier_[i] && anyOf(lines[i], isWall)) isPier_[i] = isAny = true;
+    }
+  }
+
+  /** Looked for on two lines, as its middle may lie between two rows of cells. */
+  std::vector<std::size_t> inLineWith(const ClutterGroup& group) const {
+    const Point along = directionOf(group);
+    const double width = widthAcross(group, along), length = widthAcross(group, toLeft(along));
+    std::vector<std::size_t> found;
+    for (const double side : {-0.25, 0.25})
+      for (const double end : {-0.5, 0.5}) {
+        const Point step = 2 * end * along;
+        const std::optional<Point> wall =
+            acrossGap(group.middle() + side * width * toLeft(along) + end * length * along, step);
+        if (wall && goesOn(*wall, step, width)) found.push_back(grid_.frame.index(cellAt(*wall)));
+      }
+    return found;
+  }
+
+  /** From the end of a group into what is solid behind the gap beside it. */
+  std::optional<Point> acrossGap(Point place, Point step) const {
+    while (isSolid(place)) place = place + step;
+    for (int gap = 0; gap <= cells(kWidestGap); ++gap, place = place + step)
+      if (isSolid(place)) return place + step;
+    return std::nullopt;
+  }
+
+  /** Whether a wall about as thick goes on from a place for its thickness at least [cells]. */
+  bool goesOn(Point place, Point step, double thickness) const {
+    if (!grid_.frame.contains(cellAt(place)) || !isSolid(place)) return false;
+    const int most = int(std::max(kThicker * thickness, thickness + 2));
+    const auto run = [&](Point way, int longest) {
+      int count = 0;
+      while (count < longest && isSolid(place + double(count + 1) * way)) ++count;
+      return count;
+    };
+    const int across = 1 + run(toLeft(step), most) + run(-1 * toLeft(step), most);
+    return across <= most && thickness <= kThinner * (across + 1) && 1 + run(step, most) >= across;
+  }
+
+  const Grid& grid_;
+  double maxSize_;                                        // [m]
+  std::unordered_map<std::size_t, std::size_t> groupAt_;  // by the index of a cell
+  std::vector<std::uint8_t> isPier_;                      // per group
+};
+
+}  // namespace
+
+std::vector<ClutterGroup> furnitureAmong(std::vector<ClutterGroup> groups, const Grid& grid,
+                                         double maxSize) {
+  return FurnitureFinder(grid, maxSize).among(std::move(groups));
+}
+
+}  // namespace roomgraph
