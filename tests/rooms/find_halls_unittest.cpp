@@ -18,7 +18,7 @@ int hallsOf(const Plan& plan) {
   Regions regions =
       splitAtDoors(inside.voronoi, inside.isInside, allWalls, 0.15, inside.grid, options);
   regions.roomCount = 0;
-  const std::vector<std::uint8_t> isHall = findHalls(inside.voronoi, regions, 0.1, options);
+  const std::vector<std::uint8_t> isHall = findHalls(inside.voronoi, regions, options);
   EXPECT_EQ(isHall.size(), regions.count);
   return int(std::count(isHall.begin(), isHall.end(), 1));
 }
@@ -29,15 +29,6 @@ TEST(FindHalls, severalShelvesStandInOne) {
 
 TEST(FindHalls, roundOneIslandIsACorridor) {
   EXPECT_EQ(hallsOf(Plan(60, 40).wall(10, 8, 4, 26)), 0);
-}
-
-TEST(FindHalls, aBenchStandsInARoomThatDoorsClose) {
-  // 4.2 m wide, with a bench of 1.4 m in its middle, and a door of 1 m into a corridor.
-  const auto withBench = [](int length) {
-    return Plan(32, length).wall(8, 9, 7, length - 15).wall(22, 1, 1, length).gap(22, 3, 1, 5);
-  };
-  EXPECT_EQ(hallsOf(withBench(30)), 1) << "6 m";
-  EXPECT_EQ(hallsOf(withBench(90)), 0) << "18 m: corridor round a block";
 }
 
 TEST(FindHalls, islandsThatAreLargerThanTheFloorAreBlocks) {

@@ -10,6 +10,7 @@
 
 #include "roomgraph/base/sequences.h"
 #include "roomgraph/base/statistics.h"
+#include "roomgraph/geometry/Polygon.h"
 
 namespace roomgraph {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 /** Closer ones lie on one side of it: there is a branch of the diagram into each dent of a wall. */
 constexpr double kOneSide = 0.5;
 
-/** Of a space in its convex hull. */
+/** Of a region in its convex hull; corridors with a bend or a branch have less. */
 constexpr double kLeastSolidity = 2.0 / 3;
 
 /** What lies beside a part of a way between two walls that face each other. */
@@ -111,9 +112,9 @@ std::map<std::uint32_t, std::vector<Point>> cornersOf(RegionGroups& regions,
 bool isCompact(const RegionGroups& regions, std::uint32_t region, std::vector<Point> corners) {
   const Ring hull = convexHull(std::move(corners));
   const double width = leastWidth(hull) - 2 * regions.halfCell();
-  const double area = regions.area(region);
-  return hasRoomShape(area, hull, width, regions.options()) &&
-         area / signedArea(hull) * width >= 2 * regions.meanWidth(region);
+  const double solidity = regions.area(region) / signedArea(hull);
+  return signedArea(hull) <= regions.options().maxElongation * width * width &&
+         solidity >= kLeastSolidity && solidity * width >= 2 * regions.meanWidth(region);
 }
 
 /** Whether a narrow one has as much wall as a room has. Of what opens into corridors only, beams
@@ -212,11 +213,6 @@ class KindFinder {
 };
 
 }  // namespace
-
-bool hasRoomShape(double area, const Ring& hull, double width, const SplitAtDoorsOptions& options) {
-  return signedArea(hull) <= options.maxElongation * width * width &&
-         area / signedArea(hull) >= kLeastSolidity;
-}
 
 std::vector<double> ownWidths(RegionGroups& regions, const std::vector<std::uint8_t>& isWall) {
   const VoronoiGraph& voronoi = regions.voronoi();

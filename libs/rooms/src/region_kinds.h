@@ -4,13 +4,8 @@
 
 #include "RegionGroups.h"
 #include "number_regions.h"
-#include "roomgraph/geometry/Polygon.h"
 
 namespace roomgraph {
-
-/** Whether a space of that area fills its convex hull, as corridors with a bend or a branch do not,
- *  and that is no longer than a room. `width` is the hull's. */
-bool hasRoomShape(double area, const Ring& hull, double width, const SplitAtDoorsOptions& options);
 
 /** Per vertex that stands for a region, what that is; `widths` are its own ones. Needs areas and
  *  wall shares. */

@@ -188,7 +188,7 @@ Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
   const auto areaOf = [&](std::uint32_t v) { return regions.area(v); };
   const auto numbered = [&] { return numberRegions(regions.groups(), isClear, kindOf, areaOf, 0); };
   Regions found = numbered();
-  const std::vector<std::uint8_t> isHall = findHalls(voronoi, found, halfCell, options);
+  const std::vector<std::uint8_t> isHall = findHalls(voronoi, found, options);
   if (contains(isHall, 1)) {
     for (std::uint32_t v = 0; v < kinds.size(); ++v)
       if (found.regionOf[v] != Regions::kNone && isHall[found.regionOf[v]])
