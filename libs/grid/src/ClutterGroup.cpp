@@ -10,12 +10,22 @@
 
 namespace roomgraph {
 
-double sizeOf(const ClutterGroup& group) {
+namespace {
+
+/** The first and the last cell of each row. */
+std::vector<std::pair<int, int>> rowsOf(const ClutterGroup& group) {
   std::vector<std::pair<int, int>> rows(std::size_t(group.box.height()), {INT_MAX, INT_MIN});
   for (const Cell cell : group.cells) {
     auto& [left, right] = rows[std::size_t(cell.y - group.box.low.y)];
     left = std::min(left, cell.x), right = std::max(right, cell.x);
   }
+  return rows;
+}
+
+}  // namespace
+
+double sizeOf(const ClutterGroup& group) {
+  const std::vector<std::pair<int, int>> rows = rowsOf(group);
   double squares = 0;
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t j = i; j < rows.size(); ++j) {
@@ -23,6 +33,17 @@ double sizeOf(const ClutterGroup& group) {
       squares = std::max(squares, squaredNorm({double(across), double(j - i)}));
     }
   return std::sqrt(squares) + 1;
+}
+
+std::vector<Point> cornersOf(const ClutterGroup& group) {
+  std::vector<Point> corners;
+  double y = group.box.low.y;
+  for (const auto& [left, right] : rowsOf(group)) {
+    for (const double x : {left - 0.5, right + 0.5})
+      for (const double side : {-0.5, 0.5}) corners.push_back({x, y + side});
+    ++y;
+  }
+  return corners;
 }
 
 Point directionOf(const ClutterGroup& group) {

@@ -23,6 +23,9 @@ struct ClutterGroup {
 /** How far apart two of its cells are, with half of each: about the same however it is turned. */
 double sizeOf(const ClutterGroup& group);
 
+/** The corners of its cells that may lie on its convex hull [cells]. */
+std::vector<Point> cornersOf(const ClutterGroup& group);
+
 /** The direction in which a group is longest. */
 Point directionOf(const ClutterGroup& group);
 

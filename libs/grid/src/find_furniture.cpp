@@ -42,25 +42,25 @@ class FurnitureFinder {
   static Cell cellAt(Point place) { return {int(std::lround(place.x)), int(std::lround(place.y))}; }
 
   bool isBlock(const ClutterGroup& group) const {
-    std::vector<Point> corners;
-    for (const Cell cell : group.cells)
-      for (const double dx : {-0.5, 0.5})
-        for (const double dy : {-0.5, 0.5}) corners.push_back({cell.x + dx, cell.y + dy});
-    const Ring hull = convexHull(std::move(corners));
+    const Ring hull = convexHull(cornersOf(group));
     const double width = leastWidth(hull);
     return width >= cells(kThinnest) && width <= cells(kWidest) &&
            double(group.cells.size()) >= kSolid * signedArea(hull);
   }
 
   bool isApart(const ClutterGroup& group) const {
-    std::vector<Cell> own = group.cells;
-    std::sort(own.begin(), own.end(), isBefore);
-    const int reach = int(cells(kApart));
+    const int reach = int(cells(kApart)), width = group.box.width();
+    const auto index = [&](Cell cell) {
+      return std::size_t(cell.y - group.box.low.y) * std::size_t(width) +
+             std::size_t(cell.x - group.box.low.x);
+    };
+    std::vector<std::uint8_t> isOwn(std::size_t(width) * std::size_t(group.box.height()));
+    for (const Cell cell : group.cells) isOwn[index(cell)] = 1;
     const auto isOther = [&](Cell cell) {
       return grid_.frame.contains(cell) && grid_.at(cell) != State::free &&
-             !std::binary_search(own.begin(), own.end(), cell, isBefore);
+             !(group.box.contains(cell) && isOwn[index(cell)]);
     };
-    return allOf(own, [&](Cell cell) {
+    return allOf(group.cells, [&](Cell cell) {
       if (grid_.countBeside(cell, State::free) == 0) return true;
       for (int dy = -reach; dy <= reach; ++dy)
         for (int dx = -reach; dx <= reach; ++dx)
@@ -69,8 +69,6 @@ class FurnitureFinder {
       return true;
     });
   }
-
-  static bool isBefore(Cell l, Cell r) { return l.y != r.y ? l.y < r.y : l.x < r.x; }
 
   /** Piers are in line with a wall, or with another pier; so the last one of a row of shelves would
    *  have to be in line with a wall before any of them is. */
