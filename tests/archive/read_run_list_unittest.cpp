@@ -58,6 +58,14 @@ TEST(ReadRunList, aBadLineCostsItselfAlone) {
   EXPECT_NE(bad[1].find("line 4 has no site"), std::string::npos);
 }
 
+TEST(ReadRunList, columnsMayHaveLargeLetters) {
+  const auto runs =
+      readRunList("Site,FILE,Robot,Time\na,b,anna,2026-11-22\n", "list.csv", "/", refuseLine);
+  ASSERT_EQ(runs.size(), 1u);
+  EXPECT_EQ(runs[0].second.robot, "anna");
+  EXPECT_EQ(runs[0].second.time, 1795305600);
+}
+
 TEST(ReadRunList, takesWhatSpreadsheetsWrite) {
   const auto runs = readRunList("\xef\xbb\xbfsite,file\r\na,b\r\n", "list.csv", "/", refuseLine);
   ASSERT_EQ(runs.size(), 1u);

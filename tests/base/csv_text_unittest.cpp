@@ -30,6 +30,11 @@ TEST(CsvNumber, hasFourPlaces) {
 
 using Cells = std::vector<std::string>;
 
+TEST(CsvText, columnsAreFoundInLettersOfEitherCase) {
+  EXPECT_EQ(columnOf({"Name", "X", "x"}, "x"), 1u);
+  EXPECT_EQ(columnOf({"name"}, "x"), std::nullopt);
+}
+
 TEST(CsvReader, readsQuotesCommasAndEmptyCells) {
   const std::string text = "name,x,y\r\n\"a, \"\"b\"\"\",1,\n\n" + csvField("c\nd") + ",2,3";
   CsvReader reader(text);

@@ -1,6 +1,5 @@
 #include "roomgraph/archive/plan_fleet.h"
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -19,12 +18,6 @@ namespace roomgraph {
 namespace {
 
 using Cells = std::vector<std::string>;
-
-std::optional<std::size_t> columnOf(const Cells& names, const char* name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) return {};
-  return std::size_t(found - names.begin());
-}
 
 struct Columns {
   std::optional<std::size_t> site, file, robot, time;

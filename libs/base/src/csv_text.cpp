@@ -1,10 +1,12 @@
 #include "roomgraph/base/csv_text.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
 
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 
@@ -20,6 +22,16 @@ std::string csvField(const std::string& given) {
 std::string csvNumber(std::optional<double> value) {
   if (!value || !std::isfinite(*value)) return "";
   return formatted("%.4f", rounded(*value));
+}
+
+bool isNamed(const std::string& column, const char* name) {
+  return boost::algorithm::iequals(column, name);
+}
+
+std::optional<std::size_t> columnOf(const std::vector<std::string>& names, const char* name) {
+  const auto* found = findIf(names, [&](const std::string& one) { return isNamed(one, name); });
+  if (found == nullptr) return std::nullopt;
+  return std::size_t(found - names.data());
 }
 
 std::vector<std::string> CsvReader::nextLine() {

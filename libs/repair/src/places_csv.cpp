@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <boost/algorithm/string/join.hpp>
-#include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -17,17 +15,13 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-auto isNamed(const char* name) {
-  return [name](const std::string& column) { return boost::algorithm::iequals(column, name); };
-}
-
 /** A table whose first line names its columns. */
 class PlacesTable {
  public:
   PlacesTable(const std::string& text, const std::string& file) : file_(file), reader_(text) {
     names_ = reader_.nextLine();
     for (const char* name : {"name", "x", "y", "yaw"})
-      if (countIf(names_, isNamed(name)) > 1)
+      if (countIf(names_, [&](const std::string& one) { return isNamed(one, name); }) > 1)
         refuse(file, std::string("has two columns '") + name + "'", "leave one of them out");
     for (const char* needed : {"x", "y"})
       if (!columnOf(needed))
@@ -56,9 +50,7 @@ class PlacesTable {
   }
 
   std::optional<std::size_t> columnOf(const char* name) const {
-    const auto found = std::find_if(names_.begin(), names_.end(), isNamed(name));
-    if (found == names_.end()) return std::nullopt;
-    return std::size_t(found - names_.begin());
+    return roomgraph::columnOf(names_, name);
   }
 
   std::string nameOf(const Cells& cells) const {

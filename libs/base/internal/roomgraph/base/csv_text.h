@@ -13,6 +13,11 @@ std::string csvField(const std::string& text);
 /** A number with four places; empty for none. */
 std::string csvNumber(std::optional<double> value);
 
+/** Whether a column has this name, in letters of either case. */
+bool isNamed(const std::string& column, const char* name);
+/** The first column of this name. */
+std::optional<std::size_t> columnOf(const std::vector<std::string>& names, const char* name);
+
 /** Takes cells from a CSV text, line by line: what csvField wrote, and what spreadsheets write with
  *  commas. Whatever stands behind a closing quote is no part of any cell. */
 class CsvReader {
