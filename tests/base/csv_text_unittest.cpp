@@ -47,6 +47,15 @@ TEST(CsvReader, readsQuotesCommasAndEmptyCells) {
   EXPECT_EQ(reader.line(), 4u);
 }
 
+TEST(CsvReader, countsLinesAsEditorsDo) {
+  const std::string text = "name\n\"a\nb\"\r\n\nc\n";
+  CsvReader reader(text);
+  for (const std::size_t line : {1u, 2u, 4u, 5u}) {
+    reader.nextLine();
+    EXPECT_EQ(reader.line(), line);
+  }
+}
+
 TEST(CsvReader, aQuoteWithoutItsEndGoesToTheEnd) {
   const std::string text = "\"a,b\nc";
   CsvReader reader(text);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
+#include <string_view>
 
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/sentence_text.h"
@@ -35,12 +36,15 @@ std::optional<std::size_t> columnOf(const std::vector<std::string>& names, const
 }
 
 std::vector<std::string> CsvReader::nextLine() {
-  ++line_;
+  line_ = next_;
+  const std::size_t begin = at_;
   std::vector<std::string> cells{cell()};
   while (at_ < text_.size() && text_[at_] == ',') {
     ++at_;
     cells.push_back(cell());
   }
+  const std::string_view line = std::string_view(text_).substr(begin, at_ - begin);
+  next_ = line_ + 1 + countIf(line, [](char c) { return c == '\n'; });
   if (at_ < text_.size() && text_[at_] == '\r') ++at_;
   if (at_ < text_.size() && text_[at_] == '\n') ++at_;
   return cells;

@@ -27,7 +27,8 @@ class CsvReader {
       : text_(text), at_(text.rfind("\xef\xbb\xbf", 0) == 0 ? 3 : 0) {}
 
   bool isAtEnd() const { return at_ >= text_.size(); }
-  std::size_t line() const { return line_; }  ///< the number of the last one, from 1
+  /** The number of the line in which the last one began, from 1: cells may hold ends of lines. */
+  std::size_t line() const { return line_; }
 
   /** At least one cell, which is empty where the line is. */
   std::vector<std::string> nextLine();
@@ -37,7 +38,7 @@ class CsvReader {
   std::string quotedCell();
 
   const std::string& text_;
-  std::size_t at_, line_ = 0;
+  std::size_t at_, line_ = 0, next_ = 1;
 };
 
 }  // namespace roomgraph
