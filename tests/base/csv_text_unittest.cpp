@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "refusal.h"
+
 namespace roomgraph {
 namespace {
 
@@ -37,7 +39,7 @@ TEST(CsvText, columnsAreFoundInLettersOfEitherCase) {
 
 TEST(CsvReader, readsQuotesCommasAndEmptyCells) {
   const std::string text = "name,x,y\r\n\"a, \"\"b\"\"\",1,\n\n" + csvField("c\nd") + ",2,3";
-  CsvReader reader(text);
+  CsvReader reader(text, "a.csv");
   EXPECT_EQ(reader.nextLine(), (Cells{"name", "x", "y"}));
   EXPECT_EQ(reader.nextLine(), (Cells{"a, \"b\"", "1", ""}));
   EXPECT_EQ(reader.nextLine(), (Cells{""}));
@@ -49,18 +51,30 @@ TEST(CsvReader, readsQuotesCommasAndEmptyCells) {
 
 TEST(CsvReader, countsLinesAsEditorsDo) {
   const std::string text = "name\n\"a\nb\"\r\n\nc\n";
-  CsvReader reader(text);
+  CsvReader reader(text, "a.csv");
   for (const std::size_t line : {1u, 2u, 4u, 5u}) {
     reader.nextLine();
     EXPECT_EQ(reader.line(), line);
   }
 }
 
-TEST(CsvReader, aQuoteWithoutItsEndGoesToTheEnd) {
-  const std::string text = "\"a,b\nc";
-  CsvReader reader(text);
-  EXPECT_EQ(reader.nextLine(), (Cells{"a,b\nc"}));
+TEST(CsvReader, aQuoteWithoutItsEndIsRefused) {
+  const std::string text = "a\n\"b\n\",\"c,d\ne\n";
+  CsvReader reader(text, "a.csv");
+  reader.nextLine();
+  EXPECT_EQ(test::refusalOf([&] { reader.nextLine(); }),
+            "a.csv: has a quote not closed in line 3: close it, or take it out");
   EXPECT_TRUE(reader.isAtEnd());
+}
+
+TEST(CsvReader, textBehindAQuoteIsRefusedWithItsLineAlone) {
+  const std::string text = "\"abc\"def,1,1\n\"a\" ,2\n";
+  CsvReader reader(text, "a.csv");
+  EXPECT_EQ(test::refusalOf([&] { reader.nextLine(); }),
+            "a.csv: has text after a closing quote in line 1: put the whole cell in quotes, and "
+            "each quote in it twice");
+  EXPECT_EQ(reader.nextLine(), (Cells{"a", "2"}));
+  EXPECT_EQ(reader.line(), 2u);
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ std::map<std::string, NewRuns> newRunsOf(const RunList& listed, const Archive& a
 
 RunList readRunList(const std::string& text, const std::string& name, const std::string& folder,
                     const std::function<void(const std::string&)>& onBadLine) {
-  CsvReader reader(text);
+  CsvReader reader(text, name);
   const Cells names = reader.nextLine();
   const Columns columns{columnOf(names, "site"), columnOf(names, "file"), columnOf(names, "robot"),
                         columnOf(names, "time")};
@@ -79,9 +79,9 @@ RunList readRunList(const std::string& text, const std::string& name, const std:
   }
   RunList runs;
   while (!reader.isAtEnd()) {
-    const Cells cells = reader.nextLine();
-    if (cells.size() == 1 && cells[0].empty()) continue;
     try {
+      const Cells cells = reader.nextLine();
+      if (cells.size() == 1 && cells[0].empty()) continue;
       runs.push_back(
           runOf(cells, columns, folder, name + ": line " + std::to_string(reader.line())));
     } catch (const DataError& error) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "roomgraph/base/Error.h"
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/sequences.h"
@@ -36,15 +37,13 @@ std::optional<std::size_t> columnOf(const std::vector<std::string>& names, const
 }
 
 std::vector<std::string> CsvReader::nextLine() {
-  line_ = next_;
-  const std::size_t begin = at_;
+  line_ = next_, begin_ = at_;
   std::vector<std::string> cells{cell()};
   while (at_ < text_.size() && text_[at_] == ',') {
     ++at_;
     cells.push_back(cell());
   }
-  const std::string_view line = std::string_view(text_).substr(begin, at_ - begin);
-  next_ = line_ + 1 + countIf(line, [](char c) { return c == '\n'; });
+  next_ = lineAt(at_) + 1;
   if (at_ < text_.size() && text_[at_] == '\r') ++at_;
   if (at_ < text_.size() && text_[at_] == '\n') ++at_;
   return cells;
@@ -60,6 +59,7 @@ std::string CsvReader::cell() {
 
 std::string CsvReader::quotedCell() {
   std::string cell;
+  const std::size_t begin = at_;
   for (++at_; at_ < text_.size(); ++at_) {
     const bool isQuote = text_[at_] == '"';
     const bool isTwice = isQuote && at_ + 1 < text_.size() && text_[at_ + 1] == '"';
@@ -67,8 +67,23 @@ std::string CsvReader::quotedCell() {
     cell += text_[at_];
     if (isTwice) ++at_;
   }
-  at_ = std::min(text_.find_first_of(",\r\n", std::min(at_ + 1, text_.size())), text_.size());
+  if (isAtEnd()) refuseQuote("a quote not closed", begin, "close it, or take it out");
+  at_ = std::min(text_.find_first_not_of(" \t", at_ + 1), text_.size());
+  if (!isAtEnd() && std::string_view(",\r\n").find(text_[at_]) == std::string_view::npos)
+    refuseQuote("text after a closing quote", at_,
+                "put the whole cell in quotes, and each quote in it twice");
   return cell;
+}
+
+std::size_t CsvReader::lineAt(std::size_t at) const {
+  const std::string_view before = std::string_view(text_).substr(begin_, at - begin_);
+  return line_ + countIf(before, [](char c) { return c == '\n'; });
+}
+
+void CsvReader::refuseQuote(const char* problem, std::size_t at, const char* remedy) {
+  const std::size_t line = lineAt(at);
+  at_ = std::min(text_.find('\n', at_), text_.size() - 1) + 1, next_ = line + 1;
+  refuse(name_, "has " + std::string(problem) + " in line " + std::to_string(line), remedy);
 }
 
 }  // namespace roomgraph

@@ -18,7 +18,7 @@ using Cells = std::vector<std::string>;
 /** A table whose first line names its columns. */
 class PlacesTable {
  public:
-  PlacesTable(const std::string& text, const std::string& file) : file_(file), reader_(text) {
+  PlacesTable(const std::string& text, const std::string& file) : file_(file), reader_(text, file) {
     names_ = reader_.nextLine();
     for (const char* name : {"name", "x", "y", "yaw"})
       if (countIf(names_, [&](const std::string& one) { return isNamed(one, name); }) > 1)

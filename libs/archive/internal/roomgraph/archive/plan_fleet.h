@@ -34,7 +34,7 @@ std::string keyOf(const FleetTask& task, const CompareMapsOptions& options);
  *  file, and where they are there robot and time (see parseTime); other columns are skipped. Cells
  *  may be quoted. Files are those of `folder` where they have no root; a robot without a name is
  *  "robot". `name` is that of the table, for messages. A line with a missing or wrong cell costs
- *  itself alone: `onBadLine` is told of it.
+ *  itself alone: `onBadLine` is told of it; a quote that is not closed costs all behind it.
  *  @throws DataError where there are no such columns, or no line is left: the program that wrote
  *  the list has failed. */
 RunList readRunList(const std::string& text, const std::string& name, const std::string& folder,
