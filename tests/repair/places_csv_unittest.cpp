@@ -41,6 +41,14 @@ TEST(PlacesCsv, otherColumnsStay) {
             ",,,,,unseen,,\"not, seen\"\n");
 }
 
+TEST(PlacesCsv, otherCellsStayByteForByte) {
+  const std::string more = ",-1.5,+49 30,\"a\",\"\",=1+1,-x, b ,\"c\nd\"";
+  EXPECT_EQ(test::textBy({1, 0, 0},
+                         csvPlaces("-name,x,y,a,\"b\",c,d,@e,f,g,h\n-2,1,2" + more, "goals.csv")),
+            "-name,x,y,a,\"b\",c,d,@e,f,g,h,state,error_m,reason\n-2,2.0000,2.0000" + more +
+                ",carried,0.0500,\n");
+}
+
 TEST(PlacesCsv, whatWasCarriedBeforeIsToldAnew) {
   EXPECT_EQ(test::textBy({1, 0, 0}, csvPlaces("state,x,y,reason\ngone,1,2,a wall\n", "goals.csv")),
             "state,x,y,reason,error_m\ncarried,2.0000,2.0000,,0.0500\n");

@@ -38,10 +38,12 @@ std::optional<std::size_t> columnOf(const std::vector<std::string>& names, const
 
 std::vector<std::string> CsvReader::nextLine() {
   line_ = next_, begin_ = at_;
-  std::vector<std::string> cells{cell()};
-  while (at_ < text_.size() && text_[at_] == ',') {
-    ++at_;
+  written_.clear();
+  std::vector<std::string> cells;
+  for (std::size_t begin = at_;; begin = ++at_) {
     cells.push_back(cell());
+    written_.push_back(text_.substr(begin, at_ - begin));
+    if (isAtEnd() || text_[at_] != ',') break;
   }
   next_ = lineAt(at_) + 1;
   if (at_ < text_.size() && text_[at_] == '\r') ++at_;

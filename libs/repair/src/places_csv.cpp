@@ -19,7 +19,7 @@ using Cells = std::vector<std::string>;
 class PlacesTable {
  public:
   PlacesTable(const std::string& text, const std::string& file) : file_(file), reader_(text, file) {
-    names_ = reader_.nextLine();
+    names_ = reader_.nextLine(), writtenNames_ = reader_.writtenCells();
     for (const char* name : {"name", "x", "y", "yaw"})
       if (countIf(names_, [&](const std::string& one) { return isNamed(one, name); }) > 1)
         refuse(file, std::string("has two columns '") + name + "'", "leave one of them out");
@@ -30,7 +30,10 @@ class PlacesTable {
                "its columns: name,x,y,yaw");
   }
 
-  const Cells& names() const { return names_; }
+  /** As they stand in the text. */
+  const Cells& writtenNames() const { return writtenNames_; }
+  /** Those of the last line. */
+  const Cells& writtenCells() const { return reader_.writtenCells(); }
 
   /** Empty behind the last line; lines without any text are left out. */
   Cells nextLine() {
@@ -79,22 +82,15 @@ class PlacesTable {
 
   std::string file_;
   CsvReader reader_;
-  Cells names_;
+  Cells names_, writtenNames_;
 };
 
 std::string csvRow(const Cells& cells) { return boost::algorithm::join(cells, ",") + "\n"; }
 
-/** Cells as they are written: texts as fields. */
-Cells fieldsOf(const Cells& cells) {
-  Cells fields;
-  for (const std::string& cell : cells) fields.push_back(csvField(cell));
-  return fields;
-}
-
 std::string carriedCsv(const std::string& text, const std::string& file,
                        const std::vector<CarriedThing>& carried) {
   PlacesTable table(text, file);
-  Cells names = table.names();
+  Cells names = table.writtenNames();
   const auto columnOf = [&](const char* name) {
     const auto column = table.columnOf(name);
     if (!column) names.emplace_back(name);
@@ -102,9 +98,10 @@ std::string carriedCsv(const std::string& text, const std::string& file,
   };
   const std::size_t state = columnOf("state"), error = columnOf("error_m"),
                     reason = columnOf("reason");
-  std::string out = csvRow(fieldsOf(names));
+  std::string out = csvRow(names);
   for (const CarriedThing& place : carried) {
-    Cells fields = fieldsOf(table.nextLine());
+    table.nextLine();
+    Cells fields = table.writtenCells();
     fields.resize(names.size());
     const auto set = [&](const char* name, double Transform2D::*value) {
       if (const auto column = table.columnOf(name))

@@ -36,6 +36,8 @@ class CsvReader {
    *  @throws DataError where a quote is not closed, or where text stands behind a closed one; the
    *  lines behind this one can be read then. */
   std::vector<std::string> nextLine();
+  /** The same cells of the last line as they stand in the text. */
+  const std::vector<std::string>& writtenCells() const { return written_; }
 
  private:
   std::string cell();
@@ -45,6 +47,7 @@ class CsvReader {
 
   const std::string& text_;
   std::string name_;
+  std::vector<std::string> written_;
   std::size_t at_, begin_ = 0, line_ = 0, next_ = 1;  // begin_: of the last line
 };
 

@@ -15,7 +15,7 @@ namespace roomgraph {
 
 /** The places of a table with the columns x, y and, where there are, name and yaw [m, rad], in any
  *  order and beside others. A place without a name is called after its line. What they get is three
- *  columns more, unless there are such. Other columns stay as they were; x, y and yaw are empty
+ *  columns more, unless there are such. Other cells stay byte for byte; x, y and yaw are empty
  *  where nothing is known. Each cell of x, y and yaw is to be a number. */
 MarkedFile csvPlaces(const std::string& text, const std::string& file);
 
