@@ -9,6 +9,7 @@
 #include "roomgraph/base/InputFile.h"
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/compressed.h"
+#include "roomgraph/base/csv_text.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/sequences.h"
 #include "roomgraph/graph_files/ros_map.h"
@@ -66,16 +67,27 @@ bool isOurJson(const std::string& file) {
          !holds(head, "\"roomgraph/site\"");
 }
 
-/** By the first names of the columns. */
+/** By the first names of the columns, as many as no table of somebody else has. */
 bool isOurTable(const std::string& file) {
   const std::string head = storedHead(file);
   const auto begins = [&](const char* names) { return head.rfind(names, 0) == 0; };
-  return begins("rank,name,file,") || begins("id,name,kind,") || begins("site,robot,time,") ||
-         begins("distance_px,percent,");
+  return begins("rank,name,file,score,score_low,") || begins("id,name,kind,x,y,area_m2,run,") ||
+         begins("site,robot,time,file,sha256,state,") || begins("distance_px,percent,");
 }
 
 bool isCarriedFile(const std::string& file) {
   return orNothing([&] { return isCarried(readFile(file)); });
+}
+
+/** Whether it may be something marked on a map, or a list of runs, by its content. */
+bool isMarkedOrList(const std::string& file) {
+  return orNothing([&] {
+           const std::string head = firstLines(file);
+           const auto names = CsvReader(head, file).nextLine();
+           const auto has = [&](const char* name) { return columnOf(names, name).has_value(); };
+           return (has("x") && has("y")) || (has("site") && has("file"));
+         }) ||
+         orNothing([&] { return !readMarked(file).files.empty(); });
 }
 
 }  // namespace
@@ -120,13 +132,14 @@ bool isOurs(const std::string& file) {
   if (isOf(".pgm")) return isOurPgm(file);
   if (isOf(".gridmap", ".gridmap.gz", ".rawlog")) return holds(storedHead(file), kGzipMark);
   if (isOf(".simplemap", ".simplemap.gz", ".simplemap.zst")) return isOurSimplemap(file);
+  const std::string head = storedHead(file);
   if (isOf(".json")) return isOurJson(file) || isCarriedFile(file);
-  if (isOf(".geojson"))
-    return holds(storedHead(file), "\"name\": \"roomgraph") || isCarriedFile(file);
-  if (isOf(".osm"))
-    return holds(storedHead(file), "generator=\"roomgraph\"") || isCarriedFile(file);
+  if (isOf(".geojson")) return holds(head, "\"name\": \"roomgraph") || isCarriedFile(file);
+  if (isOf(".osm")) return holds(head, "generator=\"roomgraph\"") || isCarriedFile(file);
   if (isOf(".csv")) return isOurTable(file) || isCarriedFile(file);
-  return !isMapOrArchive(file);
+  if (hasAuthorLine(file)) return true;
+  if (isMapOrArchive(file)) return false;
+  return !isMarkedOrList(file) || isOurJson(file) || isOurTable(file) || isCarriedFile(file);
 }
 
 }  // namespace roomgraph

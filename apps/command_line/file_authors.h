@@ -17,8 +17,8 @@ std::string foreignMapOf(const std::string& file);
 bool isMapOrArchive(const std::string& file);
 
 /** Whether a file that is there may be taken for a result of this program: of the kinds that it
- *  reads (maps, logs, paths, graphs, tables of places) that is one with a mark of it, or a file of
- *  places that it has carried; of all others one that is neither a map nor an archive. */
+ *  reads (maps, logs, paths, graphs, places, lists of runs) that is one with a mark of it, or a
+ *  file of places that it has carried; other kinds are told by their content. */
 bool isOurs(const std::string& file);
 
 }  // namespace roomgraph

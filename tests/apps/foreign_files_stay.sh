@@ -64,6 +64,7 @@ for time in first second; do
   for format in csv json prometheus; do
     expect 0 "$roomgraph" archive a.roomgraph export --format $format -o history.$format
     expect 0 "$roomgraph" archive a.roomgraph export --format $format -o $format.${format/prometheus/prom}
+    expect 0 "$roomgraph" archive a.roomgraph export --format $format -o $format.txt
   done
   expect 0 "$roomgraph" archive a.roomgraph report -o report.html -q
 done
@@ -116,6 +117,23 @@ mkdir k && cp goals.csv k
 expect 2 "$roomgraph" carry goals.csv --from run1.simplemap.gz --to run2.simplemap.gz -o k
 one_line err k/goals.csv "has not written"
 expect 0 cmp goals.csv k/goals.csv
+for name in goals.txt goals sites.csv; do
+  case $name in
+    goals*) printf 'name,x,y\nmine,9,9\n' ;;
+    *) printf 'id,name,kind,x,y\n1,mine,dock,9,9\n' ;;
+  esac > k/$name
+  cp goals.csv $name && cp k/$name kept
+  expect 2 "$roomgraph" carry $name --from run1.simplemap.gz --to run2.simplemap.gz -o k
+  one_line err k/$name "would replace a file that roomgraph has not written"
+  cmp k/$name kept || fail "$name was replaced"
+  for time in first second; do
+    expect 0 "$roomgraph" carry $name --from run1.simplemap.gz --to run2.simplemap.gz -o own -q
+  done
+done
+for name in sites.csv sites.txt; do
+  printf 'site,robot,time,file\nlab,anna,,a.simplemap\n' > $name && cp $name before
+  refused $name "has not written" -- archive a.roomgraph export -o $name
+done
 
 # A plan of many sites.
 mkdir plan && printf 'site,file\nhall,%s\n' "$PWD/run1.simplemap.gz" > plan/tasks.jsonl
