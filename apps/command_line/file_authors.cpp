@@ -55,9 +55,18 @@ bool isOurSimplemap(const std::string& file) {
   return orNothing([&] { return hasAuthorLine(path) && holds(storedHead(path), mapSha256(file)); });
 }
 
-bool isOurPgm(const std::string& file) {
-  const std::string yaml = fs::path(file).replace_extension(".yaml").string();
-  return hasAuthorLine(yaml) && areSameFile(pictureOf(yaml), file);
+/** By a yaml of its folder: that of the same name mostly, but a mask that was carried has names
+ *  that somebody else gave. */
+bool isOurPicture(const std::string& file) {
+  const auto isNamedBy = [&](const fs::path& yaml) {
+    return hasAuthorLine(yaml.string()) && areSameFile(pictureOf(yaml.string()), file);
+  };
+  if (isNamedBy(fs::path(file).replace_extension(".yaml"))) return true;
+  const fs::path folder = fs::path(file).parent_path();
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, error))
+    if (isNamedBy(entry.path())) return true;
+  return false;
 }
 
 /** Rooms of a site that were not carried are kept from call to call, with names that users give. */
@@ -129,7 +138,7 @@ bool isOurs(const std::string& file) {
   const auto isOf = [&file](const auto&... kinds) { return (endsWith(file, kinds) || ...); };
   if (isOf(".yaml", ".yml", ".tum", ".g2o", ".ini")) return hasAuthorLine(file);
   if (isOf(".png")) return holds(storedHead(file), std::string("Software") + '\0' + kPngSoftware);
-  if (isOf(".pgm")) return isOurPgm(file);
+  if (isOf(".pgm")) return isOurPicture(file);
   if (isOf(".gridmap", ".gridmap.gz", ".rawlog")) return holds(storedHead(file), kGzipMark);
   if (isOf(".simplemap", ".simplemap.gz", ".simplemap.zst")) return isOurSimplemap(file);
   const std::string head = storedHead(file);
@@ -138,7 +147,7 @@ bool isOurs(const std::string& file) {
   if (isOf(".osm")) return holds(head, "generator=\"roomgraph\"") || isCarriedFile(file);
   if (isOf(".csv")) return isOurTable(file) || isCarriedFile(file);
   if (hasAuthorLine(file)) return true;
-  if (isMapOrArchive(file)) return false;
+  if (isMapOrArchive(file)) return isOurPicture(file);
   return !isMarkedOrList(file) || isOurJson(file) || isOurTable(file) || isCarriedFile(file);
 }
 

@@ -135,6 +135,22 @@ for name in sites.csv sites.txt; do
   refused $name "has not written" -- archive a.roomgraph export -o $name
 done
 
+# A picture may have another name than its yaml.
+for kind in pgm pnm; do
+  mkdir -p zones/$kind && printf 'P5\n20 20\n255\n' > zones/$kind/picture.$kind
+  head -c 400 /dev/zero >> zones/$kind/picture.$kind
+  printf 'image: picture.%s\nresolution: 0.1\norigin: [-1, -1, 0]\nnegate: 0\n' $kind > zones/$kind/zone.yaml
+  printf 'occupied_thresh: 0.65\nfree_thresh: 0.196\n' >> zones/$kind/zone.yaml
+  for time in first second; do
+    "$roomgraph" carry zones/$kind/zone.yaml --from run1.simplemap.gz --to run2.simplemap.gz -o zones/$kind.o -q ||
+      [ $? -eq 1 ] || fail "a mask is not carried the $time time"
+  done
+  cp zones/$kind/picture.$kind zones/$kind.o/other.$kind
+  sed -i s/picture/other/ zones/$kind/zone.yaml && cp zones/$kind/picture.$kind zones/$kind/other.$kind
+  expect 2 "$roomgraph" carry zones/$kind/zone.yaml --from run1.simplemap.gz --to run2.simplemap.gz -o zones/$kind.o
+  one_line err zones/$kind.o/other.$kind "has not written"
+done
+
 # A plan of many sites.
 mkdir plan && printf 'site,file\nhall,%s\n' "$PWD/run1.simplemap.gz" > plan/tasks.jsonl
 expect 2 "$roomgraph" plan plan/tasks.jsonl --archive a.roomgraph -o plan

@@ -38,6 +38,8 @@ TEST(ReadMarked, filesHaveTheirNamesBeforeAndAStateAfterTheyAreCarried) {
   const TestFolder folder;
   for (const std::string text :
        {"name,x,y\ndock,1,2\n", "{\"type\":\"Point\",\"coordinates\":[1,2]}",
+        "{\"type\":\"FeatureCollection\",\"features\":[]}",
+        "{\"type\":\"FeatureCollection\",\"features\":[{\"type\":\"Feature\",\"geometry\":null}]}",
         "<osm>\n<node id='1' lat='0' lon='0'><tag k='name' v='root'/></node>\n<node id='2' lat='0' "
         "lon='0'/>\n<node id='3' lat='0' lon='0'/>\n<way id='4'>\n<nd ref='2'/>\n<nd "
         "ref='3'/>\n</way>\n</osm>\n"}) {

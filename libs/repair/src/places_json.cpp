@@ -77,6 +77,7 @@ std::string writtenJson(Json document, const JsonThings& things,
                         const std::vector<CarriedThing>& carried) {
   document.erase("bbox");  // in the frame of the old map; it need not be there
   const std::vector<Json*> in = things.in(document);
+  if (in.empty()) document["state"] = nameOf(CarryState::carried);  // by which it is known again
   for (std::size_t i = 0; i < in.size(); ++i) {
     in[i]->erase("bbox");
     auto pose = carried[i].poses.begin();

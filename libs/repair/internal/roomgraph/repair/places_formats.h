@@ -11,7 +11,8 @@ namespace roomgraph {
 // Next: carryThings
 
 // Each throws DataError in the name of `file` where the text is no such file; looksLike...(): it
-// may be one. Carried, things get `state`, `error_m` and, where they are not carried, `reason`.
+// may be one. Carried, things get `state`, `error_m` and, where they are not carried, `reason`, and
+// JSON without any gets a `state` itself.
 
 /** The places of a table with the columns x, y and, where there are, name and yaw [m, rad], in any
  *  order and beside others. A place without a name is called after its line. What they get is three
