@@ -40,9 +40,10 @@ struct FolderFiles {
   StagedFiles staged{};
   std::vector<std::string> names{};
 
-  void add(const std::string& name, const std::string& bytes) {
+  /** Returns the name under which it can be read until they appear. */
+  std::string add(const std::string& name, const std::string& bytes) {
     names.push_back(inFolder(folder, name));
-    staged.add(names.back(), bytes);
+    return staged.add(names.back(), bytes);
   }
 };
 

@@ -1,3 +1,4 @@
+#include <array>
 #include <memory>
 #include <set>
 
@@ -35,28 +36,36 @@ struct RepairArguments {
   std::string format;
 };
 
-void addRun(const Run& run, const RepairedRun& repaired, FolderFiles& files) {
-  const MovedRun moved = movedRun(run, repaired);
-  files.add(repairedName(run.file), moved.simplemap);
-  files.add(mapStem(run.file) + ".repaired.tum", moved.tum);
+constexpr std::array kGrids{".gridmap.gz", ".pgm", ".yaml"};
+
+/** Of a run that was left as it was they are written only where an earlier call has written them:
+ *  they would be those of another simplemap. */
+bool needsGrids(const RepairedRun& repaired, const std::string& stem, const FolderFiles& files) {
+  return repaired.state == RepairState::mended || anyOf(kGrids, [&](const char* extension) {
+           return identityOf(inFolder(files.folder, stem + extension)).has_value();
+         });
+}
+
+void addRun(const Run& run, const RepairedRun& repaired, const ExtractOptions& options,
+            FolderFiles& files) {
+  const std::string stem = mapStem(run.file) + ".repaired";
+  std::string simplemap;
+  {
+    const MovedRun moved = movedRun(run, repaired);
+    simplemap = files.add(repairedName(run.file), moved.simplemap);
+    files.add(stem + ".tum", moved.tum);
+  }
+  if (!needsGrids(repaired, stem, files)) return;
+  const GreyMap map = loadGrid(simplemap, options.loadGrid);
+  const Grid grid = binarize(map, options.binarize);
+  files.add(stem + kGrids[0], gridmapBytes(map, grid));
+  files.add(stem + kGrids[1], mapPgm(grid));
+  files.add(stem + kGrids[2], rosMapYaml(grid.frame, stem + kGrids[1]));
 }
 
 /** The constraints for MOLA are of all runs, mended or not: they are for another back end. */
 void addConstraints(const Run& run, const std::vector<Transform2D>& real, FolderFiles& files) {
   files.add(mapStem(run.file) + ".loop_constraints.yaml", withAuthor(molaConstraints(run, real)));
-}
-
-/** The grids of what was mended, made of the simplemaps that are there now. */
-void addGrids(const std::vector<std::string>& mended, const ExtractOptions& options,
-              FolderFiles& files) {
-  for (const std::string& file : mended) {
-    const std::string stem = mapStem(file) + ".repaired";
-    const GreyMap map = loadGrid(inFolder(files.folder, repairedName(file)), options.loadGrid);
-    const Grid grid = binarize(map, options.binarize);
-    files.add(stem + ".gridmap.gz", gridmapBytes(map, grid));
-    files.add(stem + ".pgm", mapPgm(grid));
-    files.add(stem + ".yaml", rosMapYaml(grid.frame, stem + ".pgm"));
-  }
 }
 
 bool isAskedFor(const std::string& run, const RepairArguments& arguments) {
@@ -67,8 +76,8 @@ void check(const RepairArguments& arguments) {
   const SiteArguments& site = arguments.site;
   if (!arguments.format.empty() && arguments.format != "mola")
     throw UsageError("repair: there is no format '" + arguments.format + "': --format takes mola");
-  std::vector<std::string> extensions{"repaired.tum", "repaired.gridmap.gz", "repaired.yaml",
-                                      "repaired.pgm"};
+  std::vector<std::string> extensions{"repaired.tum"};
+  for (const char* grid : kGrids) extensions.push_back(std::string("repaired") + grid);
   if (!arguments.format.empty()) extensions.emplace_back("loop_constraints.yaml");
   CallFiles files = filesReadBy(site.files, site.options);
   files.reads(site.reference);
@@ -104,13 +113,7 @@ void finish(const std::vector<ShownRepair>& shown, const SiteArguments& site, Fo
   files.add(kPage, repairPage(shown));
   files.staged.commit();
   std::string lines;
-  std::vector<std::string> mended;
-  for (const ShownRepair& one : shown) {
-    lines += printable(one.run->name + ": " + one.line) + "\n";
-    if (one.repaired->state == RepairState::mended) mended.push_back(one.run->file);
-  }
-  addGrids(mended, toCompareOptions(site.options).extract, files);
-  files.staged.commit();
+  for (const ShownRepair& one : shown) lines += printable(one.run->name + ": " + one.line) + "\n";
   if (!site.running.isQuiet) print(lines + fileLines(files.names));
 }
 
@@ -141,7 +144,7 @@ int runAlone(const RepairArguments& arguments) {
   const RunCheck check = checkRun(run);
   const RepairedRun repaired = repairAlone(run, check);
   FolderFiles files{site.folder};
-  addRun(run, repaired, files);
+  addRun(run, repaired, options.extract, files);
   if (arguments.format == "mola") addConstraints(run, agreedPoses(check), files);
   finish({{&run, &repaired, lineOf(repaired, "driven once")}}, site, files);
   return kDone;
@@ -158,13 +161,14 @@ int run(RepairArguments arguments) {
     throw DataError("repair: no two runs lie in one site: name one alone to mend it by itself");
   printBare(*runs, arguments);
   FolderFiles files{site.folder};
+  const ExtractOptions options = toCompareOptions(site.options).extract;
   std::vector<ShownRepair> shown;
   const RealPoses real = rejoinPieces(runs->solved);
   const std::vector<RepairedRun> repaired = repairRuns(runs->solved, real);
   for (const RepairedRun& one : repaired) {
     const Run& run = runs->read.runs[one.run];
     if (!isAskedFor(run.name, arguments)) continue;
-    addRun(run, one, files);
+    addRun(run, one, options, files);
     if (arguments.format == "mola") addConstraints(run, real[one.siteRun], files);
     shown.push_back({&run, &one, lineOf(one, "confirmed by no other run")});
   }

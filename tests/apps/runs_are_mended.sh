@@ -40,6 +40,19 @@ cmp <(zcat sound/office_run1.repaired.simplemap.gz) <(zcat "$maps"/office_run1.s
   fail "a sound run was changed"
 [ -s sound/office_run1.loop_constraints.yaml ] || fail "no constraints"
 
+# Grids and simplemaps are of one call: where the former do not fit on the disk, and where nothing is mended any more.
+cp -r alone again
+code=0
+(trap '' XFSZ; ulimit -f 200
+  "$roomgraph" repair "$maps"/office_run[134].simplemap.gz --only office_run3 -q -o again) 2> err || code=$?
+[ $code -eq 1 ] || fail "the grid fitted on the disk"
+diff -r alone again || fail "half of the results were replaced"
+cp "$maps"/office_run1.simplemap.gz office_run3.simplemap.gz
+expect 0 "$roomgraph" repair office_run3.simplemap.gz -o again
+grep -q '^office_run3: left as it was' out || fail "a sound run is mended"
+expect 0 "$roomgraph" convert again/office_run3.repaired.simplemap.gz --format ros -o converted
+cmp converted/office_run3.repaired.pgm again/office_run3.repaired.pgm || fail "an older grid is still there"
+
 expect 1 "$roomgraph" repair "$maps"/office.gridmap.gz -o grid
 one_line err office.gridmap.gz "no scans" simplemap
 expect 2 "$roomgraph" repair "$maps"/office_run1.simplemap.gz --only another -o grid

@@ -31,6 +31,13 @@ struct Older {
   const TestFolder folder;
 };
 
+TEST(StagedFiles, canBeReadBeforeTheCommit) {
+  const Older older;
+  StagedFiles files;
+  EXPECT_EQ(readAll(files.add(older.folder / "a", "new a")), "new a");
+  older.expectUntouched();
+}
+
 TEST(StagedFiles, takeTheirPlacesAtTheCommitAndNotBefore) {
   const Older older;
   StagedFiles files;

@@ -107,6 +107,8 @@ class StagedFiles::Part {
     if (fsync(descriptor_) != 0) fail(path_, errno);
   }
 
+  const std::string& name() const { return name_; }
+
   // The caller of these holds the mutex.
 
   /** What was there keeps the part's name, so that it can be put back. */
@@ -150,7 +152,7 @@ class StagedFiles::Part {
 StagedFiles::StagedFiles() = default;
 StagedFiles::~StagedFiles() = default;
 
-void StagedFiles::add(const std::string& path, const std::string& bytes) {
+std::string StagedFiles::add(const std::string& path, const std::string& bytes) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   // Renaming onto a device or a pipe would replace it.
@@ -166,6 +168,7 @@ void StagedFiles::add(const std::string& path, const std::string& bytes) {
   auto part = std::make_unique<Part>(target, permissions);
   part->write(bytes);
   parts_.push_back(std::move(part));
+  return parts_.back()->name();
 }
 
 void StagedFiles::commit() {

@@ -22,9 +22,9 @@ class StagedFiles {
   ~StagedFiles();
 
   /** A link is followed, and a file that is there already keeps its permissions. Nothing of this
-   *  file is left behind on failure.
+   *  file is left behind on failure. Returns the name under which it can be read until commit().
    *  @throws DataError with one line (file, problem, remedy). */
-  void add(const std::string& path, const std::string& bytes);
+  std::string add(const std::string& path, const std::string& bytes);
 
   /** In the order in which they were added, each in one step. @throws DataError like add(); all are
    *  as they were then, but on file systems that cannot exchange two files. */
