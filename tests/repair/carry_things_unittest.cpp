@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "repaired_site.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {
@@ -12,6 +13,13 @@ CarriedPlace placeOf(CarryState state, double error, const std::string& reason =
   place.pose = Transform2D{1, 0, 0}, place.state = state, place.error = error,
   place.reason = reason;
   return place;
+}
+
+/** Places every half metre along a line. */
+std::vector<Transform2D> line(int count) {
+  std::vector<Transform2D> places;
+  for (int i = 0; i < count; ++i) places.push_back({0.5 * i, 0, 0});
+  return places;
 }
 
 MarkedFile fileOf(std::vector<Thing> things, std::size_t places) {
@@ -62,16 +70,24 @@ TEST(CarryThings, aLaneFollowsADriftingMap) {
     EXPECT_LT(distance(things[0].poses[i].shift(), site.runs[2].scans[3 * i].pose.shift()), 0.15);
 }
 
-/** Places every half metre along a line. */
-std::vector<Transform2D> line(int count) {
-  std::vector<Transform2D> places;
-  for (int i = 0; i < count; ++i) places.push_back({0.5 * i, 0, 0});
-  return places;
-}
-
 std::vector<Transform2D> moved(std::vector<Transform2D> places, double along) {
   for (Transform2D& place : places) place.y += along;
   return places;
+}
+
+TEST(CarryThings, edgesEndAtTheirNodesAlsoWhereTheseJump) {
+  MarkedFile file = fileOf({{"node", {0}}, {"edge", numbersFrom(0, 20)}}, 20);
+  std::vector<CarriedPlace> carried(20, placeOf(CarryState::carried, 0.1));
+  for (std::size_t i = 0; i < 20; ++i) {
+    file.places[i].pose = line(20)[i];
+    carried[i].pose = Transform2D{0.5 * double(i), i == 0 || i == 9 ? 2.0 : 0.0, 0};
+  }
+  const auto things = carriedThings(file, carried, {});
+  EXPECT_EQ(things[1].poses[0].shift(), things[0].poses[0].shift());
+  EXPECT_EQ(things[1].poses[0].y, 2);
+  EXPECT_NEAR(things[1].poses[9].y, 0, 1e-9) << "what is no node keeps the shape";
+  EXPECT_EQ(things[0].state, CarryState::carried);
+  EXPECT_EQ(things[1].state, CarryState::unsure) << "its parts lie apart";
 }
 
 TEST(KeepShape, onesThatJumpFollowTheirNeighbours) {

@@ -34,6 +34,14 @@ std::vector<Transform2D> posesOf(const std::vector<Place>& places,
   return poses;
 }
 
+/** Which places are a thing by themselves, as a node of a route is. */
+std::vector<bool> areThings(const MarkedFile& file) {
+  std::vector<bool> are(file.places.size());
+  for (const Thing& thing : file.things)
+    if (thing.places.size() == 1 && thing.around.empty()) are[thing.places.front()] = true;
+  return are;
+}
+
 /** The nearest others of each place, from the nearest on. */
 std::vector<std::vector<std::size_t>> neighboursOf(const std::vector<Transform2D>& places) {
   std::vector<std::vector<std::size_t>> neighbours;
@@ -58,6 +66,7 @@ std::vector<CarriedThing> carriedThings(const MarkedFile& file,
                                         const std::vector<CarriedPlace>& carried,
                                         const Transform2D& rigid) {
   const std::vector<Transform2D> poses = posesOf(file.places, carried, rigid);
+  const std::vector<bool> isThing = areThings(file);
   std::vector<CarriedThing> things;
   for (const Thing& thing : file.things) {
     CarriedThing& there = things.emplace_back();
@@ -66,6 +75,8 @@ std::vector<CarriedThing> carriedThings(const MarkedFile& file,
       for (const std::size_t i : *places)
         were.push_back(file.places[i].pose), there.poses.push_back(poses[i]);
     const std::vector<bool> hasMoved = keepShape(were, there.poses);
+    for (std::size_t i = 0; i < thing.places.size(); ++i)
+      if (isThing[thing.places[i]]) there.poses[i] = poses[thing.places[i]];
     if (were.empty()) {
       there.state = CarryState::unsure, there.reason = "it has no place in its file";
       continue;

@@ -19,7 +19,8 @@ std::vector<CarriedThing> carryThings(const MarkedFile& file, const SolvedSite& 
                                       const ForEach& forEach);
 
 /** The same of places that were carried: `rigid` (new map <- old map) lays those out of which
- *  nothing at all is known. */
+ *  nothing at all is known. A place that is a thing by itself, as a node of a route, lies in all
+ *  things where it was carried: edges end at their nodes, also where a break tears them. */
 std::vector<CarriedThing> carriedThings(const MarkedFile& file,
                                         const std::vector<CarriedPlace>& carried,
                                         const Transform2D& rigid);
