@@ -101,6 +101,19 @@ TEST(KeepShape, onesThatJumpFollowTheirNeighbours) {
   }
 }
 
+TEST(KeepShape, largeAreasTakeNoLongerThanTheirSize) {
+  std::vector<Transform2D> were{{1e4, 0, 0}};  // one lies far off
+  for (int i = 0; i < 90000; ++i) were.push_back({0.5 * (i % 300), 0.5 * (i / 300), 0});
+  auto poses = moved(were, 3);
+  for (std::size_t i = 1; i < were.size(); i += 97) poses[i].x -= 2;
+  const auto hasMoved = keepShape(were, poses);
+  const auto sound = moved(were, 3);
+  for (std::size_t i = 0; i < were.size(); ++i) {
+    ASSERT_NEAR(distance(poses[i].shift(), sound[i].shift()), 0, 1e-9) << i;
+    ASSERT_EQ(hasMoved[i], i % 97 == 1) << i;
+  }
+}
+
 TEST(KeepShape, aBreakAndABendStay) {
   const auto were = line(30);
   auto poses = were;

@@ -4,6 +4,8 @@
 
 #include "fitted_repair.h"
 #include "roomgraph/base/sequences.h"
+#include "roomgraph/geometry/NearPlaces.h"
+#include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/repair/BendField.h"
 #include "roomgraph/repair/carry_places.h"
 
@@ -42,20 +44,42 @@ std::vector<bool> areThings(const MarkedFile& file) {
   return are;
 }
 
-/** The nearest others of each place, from the nearest on. */
-std::vector<std::vector<std::size_t>> neighboursOf(const std::vector<Transform2D>& places) {
-  std::vector<std::vector<std::size_t>> neighbours;
-  for (const Transform2D& place : places) {
-    std::vector<std::size_t> others = numbersFrom(0, places.size());
-    const auto far = [&](std::size_t k) { return squaredNorm(places[k].shift() - place.shift()); };
-    const std::size_t count = std::min(fitted::kNeighbours + 1, others.size());
-    std::partial_sort(others.begin(), others.begin() + std::ptrdiff_t(count), others.end(),
-                      [&](std::size_t l, std::size_t r) {
-                        return std::make_pair(far(l), l) < std::make_pair(far(r), r);
-                      });
-    std::vector<std::size_t>& nearest = neighbours.emplace_back();
-    for (std::size_t i = 0; i < count; ++i)
-      if (&places[others[i]] != &place) nearest.push_back(others[i]);
+/** The places of `near` with the least distance from a place, and among equal ones the first, in
+ *  this order. */
+std::vector<std::size_t> nearestOf(std::vector<std::size_t> near, std::size_t place,
+                                   const std::vector<Point>& places) {
+  const std::size_t count = std::min(fitted::kNeighbours + 1, near.size());
+  const auto far = [&](std::size_t k) {
+    return std::make_pair(squaredNorm(places[k] - places[place]), k);
+  };
+  std::partial_sort(near.begin(), near.begin() + std::ptrdiff_t(count), near.end(),
+                    [&](std::size_t l, std::size_t r) { return far(l) < far(r); });
+  near.resize(count);
+  eraseIf(near, [&](std::size_t k) { return k == place; });
+  return near;
+}
+
+/** The nearest others of each place, from the nearest on: looked for ever farther off, until there
+ *  are enough. */
+std::vector<std::vector<std::size_t>> neighboursOf(const std::vector<Transform2D>& were) {
+  const std::vector<Point> places = mapped(were, &Transform2D::shift);
+  Box box;
+  for (const Point place : places) box.include(place);
+  const double widest = places.empty() ? 0 : norm(box.high - box.low);
+  std::vector<std::vector<std::size_t>> neighbours(places.size());
+  std::vector<std::size_t> open = numbersFrom(0, places.size());
+  for (double reach = std::max(1e-3, widest / double(places.size() + 1)); !open.empty();
+       reach *= 2) {
+    const NearPlaces near(places, reach);
+    eraseIf(open, [&](std::size_t place) {
+      std::vector<std::size_t> inReach;
+      near.forEachNear(places[place], [&](std::size_t k) {
+        if (squaredNorm(places[k] - places[place]) <= reach * reach) inReach.push_back(k);
+      });
+      const bool isEnough = inReach.size() > fitted::kNeighbours || reach > widest;
+      if (isEnough) neighbours[place] = nearestOf(std::move(inReach), place, places);
+      return isEnough;
+    });
   }
   return neighbours;
 }

@@ -29,7 +29,7 @@ std::vector<CarriedThing> carriedThings(const MarkedFile& file,
  *  and to the other, and a zone would be torn to shreds. A place of which more than half of its
  *  neighbours (the eight nearest) say that it lies elsewhere, and agree where, follows the nearest
  *  of these; of a thing that lies across a break, each side stays where it is. Returns which ones
- *  have moved. O(places^2). */
+ *  have moved. O(n log^2 n) of n places that lie about evenly. */
 std::vector<bool> keepShape(const std::vector<Transform2D>& were, std::vector<Transform2D>& poses);
 
 }  // namespace roomgraph
