@@ -99,6 +99,13 @@ std::size_t placeIn(const Site& site, const PythonMap& map) {
                   "both as 'via'");
 }
 
+/** Whether a map is to be carried to itself. */
+bool areSameArray(const PythonMap& one, const PythonMap& other) {
+  const auto* a = std::get_if<ArrayMap>(&one);
+  const auto* b = std::get_if<ArrayMap>(&other);
+  return a && b && fileOf(one) == fileOf(other) && a->map.source.sha256 == b->map.source.sha256;
+}
+
 using NamedPose = std::tuple<std::string, double, double, double>;
 
 std::vector<CarriedPlace> carry(const std::vector<NamedPose>& poses, const PythonMap& from,
@@ -106,12 +113,14 @@ std::vector<CarriedPlace> carry(const std::vector<NamedPose>& poses, const Pytho
                                 const PythonCall& call) {
   std::vector<Place> places;
   for (const auto& [name, x, y, yaw] : poses) places.push_back({name, {x, y, yaw}});
-  std::vector<PythonMap> maps{from, to};
+  std::vector<PythonMap> maps{from};
+  if (!areSameArray(from, to)) maps.push_back(to);
   maps.insert(maps.end(), via.begin(), via.end());
   auto solved = solve(maps, std::nullopt, call, via.empty());
   const auto hasMap = [&](const PythonMap& map) { return solved->site.site.placeOf(fileOf(map)); };
   if (!via.empty() && !(hasMap(from) && hasMap(to)))
-    solved = solve({from, to}, std::nullopt, call, true);
+    solved =
+        solve({maps.begin(), maps.end() - std::ptrdiff_t(via.size())}, std::nullopt, call, true);
   const SolvedSite& site = solved->site;
   return carryPlaces(places, site, rejoinPieces(site), placeIn(site.site, from),
                      placeIn(site.site, to), onPythonThreads(call.threads, call.progress));

@@ -74,6 +74,10 @@ P
 # A mask is a map: it opens again.
 expect 0 "$roomgraph" convert carried/zone.yaml -o again
 
+# A map is carried to itself as it is, also one without scans.
+expect 0 "$roomgraph" carry marked/goals.csv --from "$maps/office.gridmap.gz" --to "$maps/office.gridmap.gz" -o same
+[ "$(tail -1 same/goals.csv)" = "dock,0.0000,0.0000,0.0000,carried,0.0300," ] || { cat same/goals.csv; fail "it moved"; }
+
 # What could not be carried is named with its reason, the first ten of a file.
 { echo name,x,y; for i in $(seq 12); do echo "far$i,900,$i"; done; } > far.csv
 expect 1 carry far.csv -o far

@@ -91,10 +91,17 @@ def test_carry_takes_arrays():
     assert dock.place[1:3] == pytest.approx([8.0, 1.0], abs=0.06)
 
 
+def test_carry_to_the_same_array_leaves_places_as_they_are():
+    grid = drawn_flat("flat")
+    [dock] = roomgraph.carry([("dock", 8.0, 1.0, 0.5)], grid, grid)
+    assert dock.state == "carried"
+    assert dock.place[1:] == pytest.approx((8.0, 1.0, 0.5))
+
+
 def test_carry_refuses_what_is_no_place_and_maps_of_one_name():
     nan = float("nan")
     for place in (("dock", nan, 1), ("dock", 1, 1, nan), ("dock", 1), ("dock", 1, 1, 0, 0), (3, 1, 1)):
         with pytest.raises(roomgraph.UsageError, match="is not a place"):
             roomgraph.carry([place], drawn_flat("old"), drawn_flat("new"))
     with pytest.raises(roomgraph.UsageError, match="two maps are named old"):
-        roomgraph.carry([("dock", 8.0, 1.0)], drawn_flat("old"), drawn_flat("old"))
+        roomgraph.carry([("dock", 8.0, 1.0)], drawn_flat("old"), drawn_flat("old", 4))

@@ -69,6 +69,15 @@ TEST(BendField, wallsCarryWhereThereAreNoScans) {
   EXPECT_LT(poseDistance(carried->pose, besideScan(site.runs[2], middle)), 0.2);
 }
 
+TEST(BendField, aMapWithoutScansCarriesPlacesToItself) {
+  const test::SolvedDrives& site = test::tornAmongSound();
+  const Transform2D place = besideScan(site.runs[0], 5);
+  const auto carried = BendField(site.solved, 0, 0)(place);
+  ASSERT_TRUE(carried);
+  EXPECT_LT(poseDistance(carried->pose, place), 1e-9);
+  EXPECT_LT(carried->rival + carried->spread, 1e-9);
+}
+
 /** All of them once more, 20 m beside, with fewer walls, as one more search has found them. */
 void addElsewhere(std::vector<FollowedPatch>& patches, int layer) {
   std::vector<FollowedPatch> elsewhere = patches;

@@ -87,6 +87,13 @@ std::vector<FollowedPatch> believedPatches(const FollowedWalls& followed,
   return believed;
 }
 
+/** Of a map in itself. */
+std::vector<FollowedPatch> unmovedPatches(const WallPatches& patches) {
+  std::vector<FollowedPatch> unmoved(patches.size());
+  for (std::uint32_t i = 0; i < patches.size(); ++i) unmoved[i].patch = i;
+  return unmoved;
+}
+
 }  // namespace
 
 BendField::BendField(const SolvedSite& solved, const RealPoses& poses, std::size_t run, Way way)
@@ -111,8 +118,11 @@ BendField::BendField(const SolvedSite& solved, const RealPoses& poses, std::size
 std::vector<BendField::Node> BendField::nodesOf(const SolvedSite& solved, std::size_t from,
                                                 std::size_t to) {
   const WallPatches& patches = solved.site.mapOf(from).patches;
+  const std::vector<FollowedPatch> believed =
+      from == to ? unmovedPatches(patches)
+                 : believedPatches(followedIn(solved.pairs, from, to), patches);
   std::vector<Node> nodes;
-  for (const FollowedPatch& patch : believedPatches(followedIn(solved.pairs, from, to), patches)) {
+  for (const FollowedPatch& patch : believed) {
     const Point middle = patches[patch.patch].middle;
     const Transform2D node{middle.x, middle.y, 0};
     nodes.push_back({node, patch.pose * node, true, {}});

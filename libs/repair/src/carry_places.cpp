@@ -62,7 +62,8 @@ class Carrier {
     const auto hasScans = [&](std::size_t run) { return !solved.site.runs[run]->scans.empty(); };
     isThroughSite_ = hasScans(from) && hasScans(to);
     isOnlySaid_ = solved.pairs(from, to).alignment.isOnlySaid;
-    isPlaceSure_ = areMostSureOf(from, solved.pairs) && areMostSureOf(to, solved.pairs);
+    isPlaceSure_ =
+        from == to || (areMostSureOf(from, solved.pairs) && areMostSureOf(to, solved.pairs));
     otherPoses_ = otherPoses(from, to, solved.pairs);
     if (isThroughSite_) {
       fields_.emplace_back(solved, real, from, BendField::Way::toSite);

@@ -18,7 +18,8 @@ class BendField {
 
   /** Of a run of the site, by its key frames. The site must outlive this. */
   BendField(const SolvedSite& solved, const RealPoses& poses, std::size_t run, Way way);
-  /** From one run of the site to another by the walls that were followed: without scans. */
+  /** From one run of the site to another, or to itself, by the walls that were followed: without
+   *  scans. */
   BendField(const SolvedSite& solved, std::size_t from, std::size_t to);
 
   /** A place as it was carried. */
