@@ -144,6 +144,17 @@ TEST(CarryPlaces, aPlaceInANewWallIsGone) {
   EXPECT_NE(carryPlaces({corner}, site.solved, site.real, 0, 1)[0].state, CarryState::gone);
 }
 
+TEST(CarryPlaces, aPlaceJustInsideOfAWallIsNotGone) {
+  test::SolvedDrives site({test::drive(1), test::drive(2), test::drive(3)});
+  const Place place{"goal", site.runs[0].scans[10].pose};
+  const CarriedPlace before = carryPlaces({place}, site.solved, site.real, 0, 1)[0];
+  WallMap& map = site.runs[1].map;
+  map.states[map.frame.index(map.frame.cellAt(before.pose->shift()))] = State::occupied;
+  ASSERT_LT(3 * before.error, map.frame.resolution) << "cells are coarse";
+  EXPECT_EQ(carryPlaces({place}, site.solved, site.real, 0, 1)[0].reason,
+            "it lies in a wall, with free space beside it");
+}
+
 /** Two rooms of 6 m beside each other, with a wall between, from (0, 0) on. */
 WallMap twoRooms() {
   return wallMap(test::sampledGrid({261, 141, 0.05, {-0.5, -0.5}}, [](Point p) {

@@ -22,9 +22,9 @@ namespace {
 constexpr const char* kTwice = "one of the maps has the place twice";
 constexpr const char* kAmbiguous = "the maps may also fit each other in another pose";
 
-/** Whether a map has a free cell up to `reach` away from a place. */
+/** Whether a map has a free cell up to `reach` away from a place, or in the cells beside it. */
 bool isFreeNear(const WallMap& map, Point place, double reach) {
-  const int cells = int(reach / map.frame.resolution);
+  const int cells = int(std::ceil(reach / map.frame.resolution));
   for (int x = -cells; x <= cells; ++x)
     for (int y = -cells; y <= cells; ++y)
       if (stateAt(map, place + map.frame.resolution * Point{double(x), double(y)}) == State::free)
