@@ -1,6 +1,5 @@
 #include "add_to_archive.h"
 
-#include <ctime>
 #include <filesystem>
 #include <set>
 
@@ -126,7 +125,7 @@ AddRunOptions addOptionsOf(const ArchiveArguments& arguments) {
     options.time = parseTime(arguments.time);
     if (!options.time)
       throw UsageError("--time: " + arguments.time + " is not a time: give 2026-11-22T03:00");
-    if (*options.time > double(std::time(nullptr)) + kDay)  // robots in other time zones
+    if (isToCome(*options.time))
       throw UsageError("--time: " + arguments.time + " is still to come: give the time of the run");
   }
   options.compare = toCompareOptions(arguments.options);

@@ -41,6 +41,8 @@ TEST(ReadRunList, whatIsMissingIsNamedWithItsLine) {
             std::string::npos);
   EXPECT_NE(complaint("site,file,time\na,b,soon\n").find("line 2: 'soon' is not a time"),
             std::string::npos);
+  EXPECT_EQ(complaint("site,file,time\na,b,2999-01-01\n"),
+            "list.csv: line 2: '2999-01-01' is still to come: give the time of the run");
   EXPECT_EQ(complaint("site,file\n\n").rfind("list.csv: lists no run", 0), 0u);
   EXPECT_EQ(complaint("site,file\n\"open,b"),
             "list.csv: has a quote not closed in line 2: close it, or take it out");

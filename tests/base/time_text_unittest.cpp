@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
+
 namespace roomgraph {
 namespace {
 
@@ -31,6 +33,12 @@ TEST(ParseTime, daysAndTimesAreRead) {
 TEST(ParseTime, whatIsWrittenIsReadBack) {
   for (const double time : {0.0, 951782400.0, 1795313107.0, 4e9})
     EXPECT_EQ(parseTime(timeText(time)), time);
+}
+
+TEST(TimeText, whatIsADayAheadIsStillToCome) {
+  const auto now = double(std::time(nullptr));
+  EXPECT_FALSE(isToCome(now + 0.9 * kDay));
+  EXPECT_TRUE(isToCome(now + 1.1 * kDay));
 }
 
 TEST(ParseTime, allElseIsNone) {

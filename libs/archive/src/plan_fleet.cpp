@@ -39,6 +39,8 @@ RunList::value_type runOf(const Cells& cells, const Columns& columns, const std:
   const std::string time = cell(columns.time);
   const auto seconds = time.empty() ? std::optional<double>(NAN) : parseTime(time);
   if (!seconds) throw DataError(where + ": '" + time + "' is not a time: give 2026-11-22T03:00");
+  if (isToCome(*seconds))
+    throw DataError(where + ": '" + time + "' is still to come: give the time of the run");
   run.time = *seconds;
   return {cell(columns.site), run};
 }

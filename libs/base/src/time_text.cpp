@@ -54,4 +54,6 @@ std::optional<double> parseTime(const std::string& given) {
   return {};
 }
 
+bool isToCome(double seconds) { return seconds > double(std::time(nullptr)) + kDay; }
+
 }  // namespace roomgraph

@@ -16,4 +16,7 @@ constexpr double kDay = 86400;  ///< [s]
  *  Z behind: all are UTC. A plain number stands for itself. Nothing for any other text. */
 [[nodiscard]] std::optional<double> parseTime(const std::string& text);
 
+/** Whether a time is more than a day ahead of now: clocks in other time zones are not. */
+[[nodiscard]] bool isToCome(double seconds);
+
 }  // namespace roomgraph
