@@ -46,8 +46,20 @@ bool needsGrids(const RepairedRun& repaired, const std::string& stem, const Fold
          });
 }
 
+/** Says that other programs, which find key frames by their times, do not find them. */
+void printSharedTimes(const Run& run) {
+  const std::size_t own = countIf(haveOwnTimes(run.scans), [](bool has) { return has; });
+  const std::size_t timed = countIf(run.scans, [](const ScanWalls& scan) { return !!scan.time; });
+  if (own < timed)
+    printError(run.file +
+               formatted(": note: %zu of its %zu scans have the time of another key frame: no loop "
+                         "constraints name them, and evo cannot tell them apart in the path",
+                         timed - own, run.scans.size()));
+}
+
 void addRun(const Run& run, const RepairedRun& repaired, const ExtractOptions& options,
             FolderFiles& files) {
+  printSharedTimes(run);
   const std::string stem = mapStem(run.file) + ".repaired";
   std::string simplemap;
   {

@@ -49,9 +49,21 @@ TEST(LoopConstraints, noneWithoutTimesOrLoops) {
   roomgraph::Run run = drifted(real);
   for (ScanWalls& scan : run.scans) scan.time.reset();
   EXPECT_EQ(molaConstraints(run, real), "manual_loop_constraints: []\n");
+  for (ScanWalls& scan : run.scans) scan.time = 1e9;
+  EXPECT_EQ(molaConstraints(run, real), "manual_loop_constraints: []\n")
+      << "no key frame is found by a time that all have";
   real.resize(80);
   run = drifted(real);
   EXPECT_LE(test::count(molaConstraints(run, real), "timestamp_i"), 1u) << "at most where it ends";
+}
+
+TEST(LoopConstraints, aTimeIsOfOneKeyFrame) {
+  roomgraph::Run run = drifted(twiceRound());
+  run.scans.resize(5);
+  run.scans[1].keyFrame = 0, run.scans[1].time = run.scans[0].time;  // two scanners
+  run.scans[3].time = run.scans[2].time;
+  run.scans[4].time.reset();
+  EXPECT_EQ(haveOwnTimes(run.scans), (std::vector<bool>{true, true, false, false, false}));
 }
 
 }  // namespace
