@@ -5,6 +5,7 @@
 #include "TestFolder.h"
 #include "carried_by.h"
 #include "map_files.h"
+#include "refusal.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/images/read_image.h"
@@ -150,6 +151,13 @@ TEST_F(PlacesMask, whatIsNoMaskIsRefused) {
   EXPECT_THROW(
       maskPlaces("image: none.pgm\nresolution: 0.1\norigin: [0, 0, 0]\n", folder_ / "mask.yaml"),
       DataError);
+}
+
+TEST_F(PlacesMask, zonesTooFarOutsideOfTheNewMapAreRefused) {
+  const MarkedFile file = read("mask.pgm", pgm());
+  const std::string line = test::refusalOf([&] { carried(file, {3000, 3000, 0}); });
+  EXPECT_NE(line.find("on the new map it would have 300"), std::string::npos) << line;
+  EXPECT_NE(line.find("take out the zones"), std::string::npos) << line;
 }
 
 }  // namespace

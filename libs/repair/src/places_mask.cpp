@@ -6,7 +6,9 @@
 
 #include "MaskCells.h"
 #include "fitted_repair.h"
+#include "roomgraph/base/Error.h"
 #include "roomgraph/base/Json.h"
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/sequences.h"
@@ -169,7 +171,12 @@ class Mask {
     frame.origin = {side * std::floor(box.low.x / side), side * std::floor(box.low.y / side)};
     const double width = (box.high.x - frame.origin.x) / side + 1,
                  height = (box.high.y - frame.origin.y) / side + 1;
-    checkPictureSize(std::uint64_t(width), std::uint64_t(height), file_);
+    if (!(width * height <= double(kMostCells)))
+      refuse(file_,
+             formatted("on the new map it would have %.0f x %.0f pixels, more than 400 million, to "
+                       "hold what lies outside of that",
+                       std::floor(width), std::floor(height)),
+             "take out the zones that lie far off, or draw it with larger cells");
     frame.width = int(width), frame.height = int(height);
     return frame;
   }
