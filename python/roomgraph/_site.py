@@ -57,8 +57,8 @@ class CarriedPlace:
     """Where it is; None where neither map tells."""
     state: str
     """"carried", "unsure", "gone" (it is in a wall now) or "unseen"."""
-    error: float
-    """How far it may be off, as a standard deviation [m]."""
+    error: Optional[float]
+    """How far it may be off, as a standard deviation [m]; None where neither map tells."""
     reason: str
     """Of any other state than "carried", one line."""
 

@@ -127,9 +127,12 @@ std::vector<CarriedPlace> carry(const std::vector<NamedPose>& poses, const Pytho
 }
 
 py::tuple tupleOf(const CarriedPlace& place) {
-  py::object pose = py::none();
-  if (place.pose) pose = py::make_tuple(place.pose->x, place.pose->y, place.pose->phi);
-  return py::make_tuple(pose, nameOf(place.state), place.error, place.reason);
+  py::object pose = py::none(), error = py::none();
+  if (place.pose) {
+    pose = py::make_tuple(place.pose->x, place.pose->y, place.pose->phi);
+    error = py::float_(place.error);
+  }
+  return py::make_tuple(pose, nameOf(place.state), error, place.reason);
 }
 
 /** Calls without Python's lock, and makes a Python object of each of what comes back. */

@@ -91,6 +91,11 @@ def test_carry_takes_arrays():
     assert dock.place[1:3] == pytest.approx([8.0, 1.0], abs=0.06)
 
 
+def test_carry_knows_no_error_where_neither_map_has_been():
+    [far] = roomgraph.carry([("far", 500.0, 1.0)], drawn_flat("old"), drawn_flat("new"))
+    assert (far.state, far.place, far.error) == ("unseen", None, None)
+
+
 def test_carry_to_the_same_array_leaves_places_as_they_are():
     grid = drawn_flat("flat")
     [dock] = roomgraph.carry([("dock", 8.0, 1.0, 0.5)], grid, grid)
