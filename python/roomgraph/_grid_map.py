@@ -33,7 +33,7 @@ class GridMap:
     name: str = "array"
 
     def _to_core(self) -> _core.ArrayMap:
-        if not isinstance(self.name, str) or not _is_text(self.name):
+        if not isinstance(self.name, str) or not is_text(self.name):
             raise _core.UsageError(f"the name of a map is {self.name!r}: give a str")
         grey = np.ascontiguousarray(_grey_of(self.cells, self.name))
         resolution = number(self.resolution, f"{self.name}: its resolution")
@@ -75,7 +75,7 @@ def number(given: Any, what: str) -> float:
     raise _core.UsageError(f"{what} is {given!r}, and no number")
 
 
-def _is_text(name: str) -> bool:
+def is_text(name: str) -> bool:
     """Not so are file names that are no UTF-8, as Python decodes them."""
     try:
         name.encode()

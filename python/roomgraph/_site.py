@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _core
 from ._call import Options, Progress, new_call
-from ._grid_map import MapLike, all_to_core, number, to_core
+from ._grid_map import MapLike, all_to_core, is_text, number, to_core
 
 
 @dataclass(frozen=True)
@@ -119,6 +119,6 @@ def _place_of(given: Iterable[Any]) -> Place:
         place = Place(name, *(number(value, f"{name}: a coordinate") for value in numbers))
     except (TypeError, ValueError) as error:
         raise _core.UsageError(f"{given!r} is not a place: give name, x, y and yaw") from error
-    if not isinstance(name, str) or not np.isfinite(place[1:]).all():
+    if not isinstance(name, str) or not is_text(name) or not np.isfinite(place[1:]).all():
         raise _core.UsageError(f"{given!r} is not a place: give a str, metres and radians")
     return place

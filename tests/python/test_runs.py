@@ -105,7 +105,8 @@ def test_carry_to_the_same_array_leaves_places_as_they_are():
 
 def test_carry_refuses_what_is_no_place_and_maps_of_one_name():
     nan = float("nan")
-    for place in (("dock", nan, 1), ("dock", 1, 1, nan), ("dock", 1), ("dock", 1, 1, 0, 0), (3, 1, 1)):
+    wrong = [("dock", nan, 1), ("dock", 1, 1, nan), ("dock", 1), ("dock", 1, 1, 0, 0), (3, 1, 1)]
+    for place in wrong + [("\udc80", 1, 1)]:
         with pytest.raises(roomgraph.UsageError, match="is not a place"):
             roomgraph.carry([place], drawn_flat("old"), drawn_flat("new"))
     with pytest.raises(roomgraph.UsageError, match="two maps are named old"):
