@@ -46,6 +46,16 @@ TEST_F(HouseOnWhite, aSmallDiscOutsideDoesNotPassTheWall) {
   EXPECT_GT(std::count(isInside.begin(), isInside.end(), 1), 0);
 }
 
+TEST_F(HouseOnWhite, ofCoarseCellsIsNoLessInside) {
+  MapText coarse = map_;
+  for (const double resolution : {0.1, 1.0, 5.0}) {
+    coarse.resolution = resolution;
+    const InsideFlags isInside =
+        keepInside(voronoiGraph(obstaclesOf(coarse)), gridOf(coarse), KeepInsideOptions());
+    EXPECT_GT(std::count(isInside.begin(), isInside.end(), 1), 0) << resolution;
+  }
+}
+
 TEST(KeepInside, leavesCellsThatAreNotFreeOut) {
   const MapText map =
       drawn({"#######", "#.....#", "#.....#", "#??...#", "#??...#", "#.....#", "#######"}, 1);

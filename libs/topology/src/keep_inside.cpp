@@ -46,7 +46,8 @@ void keepBiggest(const VoronoiGraph& graph, InsideFlags& isInside) {
 void describe(KeepInsideOptions& options, FieldTable& table) {
   const char* section = "keep_inside";
   table.number(section, "outside_width", options.outsideWidth, "m", 0.5, 1000,
-               "Outside is what a disc of this diameter reaches from beyond all obstacles.");
+               "Outside is what a disc of this diameter reaches from beyond all obstacles; never "
+               "below 1.5 cells.");
   table.number(section, "outside_alpha_px2", options.outsideAlphaPx2, "px2", 0, 1e9,
                "The same as alpha, the disc's squared radius in cells; 0 for outside_width.");
   table.flag(section, "biggest_only", options.biggestOnly,
@@ -57,9 +58,11 @@ void describe(KeepInsideOptions& options, FieldTable& table) {
 InsideFlags keepInside(const VoronoiGraph& graph, const Grid& grid,
                        const KeepInsideOptions& options) {
   InsideFlags isInside(graph.vertices.size(), 1);
+  // Between the cells of a slanted wall a smaller disc would pass.
+  const double throughWalls = 0.75 * grid.frame.resolution;
   const double radius = options.outsideAlphaPx2 > 0
                             ? std::sqrt(options.outsideAlphaPx2) * grid.frame.resolution
-                            : options.outsideWidth / 2;
+                            : std::max(options.outsideWidth / 2, throughWalls);
   removeOutside(graph, radius, isInside);
   if (options.freeOnly) removeNotFree(graph, grid, isInside);
   if (options.biggestOnly) keepBiggest(graph, isInside);

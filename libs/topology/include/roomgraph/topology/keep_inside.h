@@ -23,9 +23,9 @@ struct KeepInsideOptions {
 };
 void describe(KeepInsideOptions& options, FieldTable& table);
 
-/** Outside is what a disc of `outsideWidth` can reach from infinity without touching an obstacle:
- *  the complement of the alpha shape. With `freeOnly`, vertices in cells that are not free are
- *  outside, too. A vertex exactly between is outside. O(n). */
+/** Outside is what a disc of `outsideWidth`, but of 1.5 cells at least, can reach from infinity
+ *  without touching an obstacle: the complement of the alpha shape. With `freeOnly`, vertices in
+ *  cells that are not free are outside, too. A vertex exactly between is outside. O(n). */
 [[nodiscard]] InsideFlags keepInside(const VoronoiGraph& graph, const Grid& grid,
                                      const KeepInsideOptions& options);
 
