@@ -258,6 +258,19 @@ TEST(OsmXml, cornersOnAStraightLineAreLeftOutButForTheEndsOfPassages) {
   EXPECT_EQ(osm.nodes.size(), 1u + 4u + 4u);
 }
 
+TEST(OsmXml, theRootOfAFarMapIsInItsMidst) {
+  AreaGraph graph;
+  for (const double x : {99990.0, 5400000.0}) {
+    const Polygon room{{{x, 0}, {x + 4, 0}, {x + 4, 4}, {x, 4}}, {}};
+    graph.areas = {{RoomId(0), room, {x + 2, 2}, 2, {}}};
+    const Osm osm = parsed(osmXml(graph));
+    const Tags near{{"name", "root"}};
+    const Tags far{{"name", "root"}, {"roomgraph:x", "5400002"}, {"roomgraph:y", "2"}};
+    EXPECT_EQ(osm.nodeTags.at(-1), x > 1e5 ? far : near);
+    EXPECT_NEAR(osm.nodes.at(-2).second, (x > 1e5 ? -2 : x) / 111319.5, 1e-5);
+  }
+}
+
 TEST(OsmXml, ofNoAreasIsTheRootAlone) {
   const Osm osm = parsed(osmXml({}));
   EXPECT_EQ(osm.nodes.size(), 1u);

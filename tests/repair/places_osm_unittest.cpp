@@ -56,6 +56,25 @@ TEST(PlacesOsm, placesAreCountedFromTheRoot) {
   EXPECT_LT(distance(file.places[0].pose.shift(), {30, 40}), 1e-3);
 }
 
+TEST(PlacesOsm, theRootOfAFarMapTellsWhereItLies) {
+  const auto root = [](const std::string& x) {
+    return "<node id='-1' lat='0' lon='0'><tag k='name' v='root'/><tag k='roomgraph:x' v='" + x +
+           "'/><tag k='roomgraph:y' v='-200000'/></node>";
+  };
+  const OsmOrigin origin(0, 0, {5400000, -200000});
+  const MarkedFile file = osmPlaces(
+      osm(root("5400000") + "<node id='-2' lat='" + origin.latitudeText({5400030, -200040}) +
+          "' lon='" + origin.longitudeText({5400030, -200040}) + "'/>"),
+      "a.osm");
+  EXPECT_LT(distance(file.places[0].pose.shift(), {5400030, -200040}), 1e-3);
+  const MarkedFile again = osmPlaces(test::textBy({10, 0, 0}, file), "a.osm");
+  EXPECT_LT(distance(again.places[0].pose.shift(), {5400040, -200040}), 1e-3);
+  for (const char* odd : {"nan", "inf", "-1e99", "far"}) {
+    const MarkedFile read = osmPlaces(osm(root(odd) + "<node id='-2' lat='0' lon='0'/>"), "a.osm");
+    EXPECT_LT(std::abs(read.places[0].pose.x), 2e7) << odd;
+  }
+}
+
 TEST(PlacesOsm, whatIsNoOsmIsRefused) {
   for (const std::string& text :
        {std::string("<osm>"), std::string("<html></html>"), osm(""), osm(kRoot + "<node id='-2'/>"),

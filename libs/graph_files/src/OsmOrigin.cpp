@@ -20,24 +20,24 @@ std::string degreesText(double degrees) {
 
 }  // namespace
 
-OsmOrigin::OsmOrigin(double latitude, double longitude)
-    : latitude_(latitude), longitude_(longitude) {
+OsmOrigin::OsmOrigin(double latitude, double longitude, Point root)
+    : latitude_(latitude), longitude_(longitude), root_(root) {
   const double sine = std::sin(latitude * kDegree), flat = 1 - kSquaredEccentricity * sine * sine;
   eastRadius_ = kEquator / std::sqrt(flat) * std::cos(latitude * kDegree);
   northRadius_ = kEquator * (1 - kSquaredEccentricity) / (flat * std::sqrt(flat));
 }
 
 Point OsmOrigin::placeAt(double latitude, double longitude) const {
-  return {(longitude - longitude_) * kDegree * eastRadius_,
-          (latitude - latitude_) * kDegree * northRadius_};
+  return {root_.x + (longitude - longitude_) * kDegree * eastRadius_,
+          root_.y + (latitude - latitude_) * kDegree * northRadius_};
 }
 
 std::string OsmOrigin::latitudeText(Point place) const {
-  return degreesText(latitude_ + place.y / northRadius_ * 180 / M_PI);
+  return degreesText(latitude_ + (place.y - root_.y) / northRadius_ * 180 / M_PI);
 }
 
 std::string OsmOrigin::longitudeText(Point place) const {
-  return degreesText(longitude_ + place.x / eastRadius_ * 180 / M_PI);
+  return degreesText(longitude_ + (place.x - root_.x) / eastRadius_ * 180 / M_PI);
 }
 
 }  // namespace roomgraph

@@ -8,6 +8,7 @@
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/xml_text.h"
+#include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/geometry/thinned_line.h"
 #include "roomgraph/graph_files/OsmOrigin.h"
 #include "roomgraph/rooms/reason_names.h"
@@ -33,10 +34,22 @@ bool isOnTheWay(Point a, Point p, Point b) {
   return std::abs(cross(p - a, b - p)) <= 1e-6 * distance(a, b) && dot(p - a, b - p) > 0;
 }
 
+/** The place on the map that has the root: (0, 0), unless the Earth is not flat from there on. */
+Point rootOf(const AreaGraph& graph) {
+  Box box;
+  double farthest = 0;
+  for (const Area& area : graph.areas)
+    for (const Point corner : area.polygon.outer)
+      box.include(corner), farthest = std::max(farthest, norm(corner));
+  if (!(farthest > OsmOrigin::kFlat)) return {};
+  const Point middle = 0.5 * (box.low + box.high);
+  return {std::round(middle.x), std::round(middle.y)};
+}
+
 class OsmWriter {
  public:
   OsmWriter(const AreaGraph& graph, const OsmXmlOptions& options)
-      : graph_(graph), options_(options) {
+      : graph_(graph), options_(options), origin_(0, 0, rootOf(graph)) {
     for (std::size_t p = 0; p < graph.passages.size(); ++p) {
       const Passage& passage = graph.passages[p];
       if (!passage.b) continue;
@@ -55,11 +68,20 @@ class OsmWriter {
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
            "<osm version=\"0.6\" generator=\"roomgraph\" upload=\"never\">\n" +
            element("node", kRoot) + " lat=\"0.000000000\" lon=\"0.000000000\">\n" +
-           tag("name", "root") + "  </node>\n" + nodes_ + ways_ + relations_ + "</osm>\n";
+           tag("name", "root") + rootTags() + "  </node>\n" + nodes_ + ways_ + relations_ +
+           "</osm>\n";
   }
 
  private:
   static constexpr std::int64_t kRoot = -1;
+
+  /** Where on the map it lies, for whoever carries the file to another one. */
+  std::string rootTags() const {
+    const Point root = origin_.root();
+    if (root == Point()) return "";
+    return tag(OsmOrigin::kRootX, formatted("%.0f", root.x)) +
+           tag(OsmOrigin::kRootY, formatted("%.0f", root.y));
+  }
 
   std::string areaName(AreaId area) const {
     if (!options_.names.empty()) return xmlText(options_.names[area.index()]);

@@ -44,11 +44,13 @@ struct Element {
   Attributes tags;
   std::vector<Span> states;  ///< of tags that will be written anew
 
-  std::string attribute(const char* name) const {
-    for (const auto& [key, value] : attributes)
+  static std::string valueOf(const Attributes& of, const char* name) {
+    for (const auto& [key, value] : of)
       if (key == name) return value;
     return "";
   }
+  std::string attribute(const char* name) const { return valueOf(attributes, name); }
+  std::string tag(const char* name) const { return valueOf(tags, name); }
 };
 
 bool isState(const std::string& key) {
@@ -156,14 +158,17 @@ class OsmFile {
  public:
   OsmFile(std::string text, const std::string& file)
       : text_(std::move(text)), name_(fileName(file)), elements_(OsmParser(text_, file).elements) {
-    const auto root = std::find_if(elements_.begin(), elements_.end(), isRoot);
-    if (root == elements_.end())
-      refuse(file, "has no node tagged name=root, the origin of the map", kSaveInJosm);
+    const Element* root = findIf(elements_, isRoot);
+    if (!root) refuse(file, "has no node tagged name=root, the origin of the map", kSaveInJosm);
     const double latitude = degrees(*root, "lat", file);
     if (std::abs(latitude) > kMostLatitude)
       refuse(file, formatted("has its root at a latitude of %g degrees", latitude),
              "put the root where the map lies");
-    origin_ = OsmOrigin(latitude, degrees(*root, "lon", file));
+    const auto metres = [&, far = kFarthestOrigin](const char* key) {
+      return std::max(-far, std::min(far, std::atof(root->tag(key).c_str())));
+    };
+    origin_ = OsmOrigin(latitude, degrees(*root, "lon", file),
+                        {metres(OsmOrigin::kRootX), metres(OsmOrigin::kRootY)});
     for (const Element& element : elements_)
       if (element.isNode && !isRoot(element)) addNode(element, file);
     for (const Element& element : elements_)
@@ -201,7 +206,7 @@ class OsmFile {
 
   void addNode(const Element& node, const std::string& file) {
     const Point place = origin_.placeAt(degrees(node, "lat", file), degrees(node, "lon", file));
-    if (norm(place) > 1e5)  // so far the Earth is flat
+    if (distance(place, origin_.root()) > OsmOrigin::kFlat)
       refuse(file, formatted("the node in line %zu is more than 100 km from its root", node.line),
              "put the root where the map lies");
     if (!nodes_.emplace(node.attribute("id"), std::make_pair(&node, places_.size())).second)
@@ -212,9 +217,8 @@ class OsmFile {
   }
 
   static std::string nameOfElement(const Element& element) {
-    for (const auto& [key, value] : element.tags)
-      if (key == "name") return value;
-    return element.attribute("id");
+    const std::string name = element.tag("name");
+    return name.empty() ? element.attribute("id") : name;
   }
 
   /** Those of its nodes that are known, but not the root. */

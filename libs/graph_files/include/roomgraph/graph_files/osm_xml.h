@@ -24,7 +24,8 @@ struct OsmXmlOptions {
  *    out, but for the ends of passages. The first node is the root, tagged name=root: the origin of
  *    the map frame, at latitude and longitude 0, as the map does not tell where on Earth it is. The
  *    others lie as far east (x) and north (y) of it as in the map, by the radii of WGS84 at the
- *    root (equirectangular), to 0.1 mm.
+ *    root (equirectangular), to 0.1 mm. Where areas are more than 100 km from that origin, the root
+ *    is in their midst, with its place on the map in the tags roomgraph:x and roomgraph:y [m].
  *  - An area is a closed way, counter-clockwise, tagged osmAG:type=area, osmAG:areaType=room or
  *    corridor, indoor the same, and name=room_3 or corridor_7 by the area's id, or its name; level
  *    and height are 0, as the map does not tell on which floor it is. An area with holes is also
