@@ -15,6 +15,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "file_authors.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/map_files/map_formats.h"
@@ -104,11 +105,20 @@ std::string FolderWatch::mapOf(const std::string& name) const {
   return "";
 }
 
+std::string FolderWatch::mapWithPicture(const std::string& name) const {
+  if (!hasExtensionOf(name, true)) return "";
+  std::error_code error;
+  for (fs::directory_iterator at(folder_, error), end; at != end && !error; at.increment(error))
+    if (fileName(pictureOf(at->path().string())) == name) return at->path().filename().string();
+  return "";
+}
+
 void FolderWatch::handle(unsigned what, const std::string& name) {
   if (what & kFolderAway)
     throw DataError(folder_ + ": is gone: make it again, then start the watch again");
   if (what & IN_Q_OVERFLOW) return listAll();
-  const std::string map = mapOf(name);
+  std::string map = mapOf(name);
+  if (map.empty() && (what & kWhole)) map = mapWithPicture(name);
   if (map.empty()) return;
   listed_.erase(map);
   changed_.erase(map);

@@ -31,6 +31,8 @@ class FolderWatch {
   void handle(unsigned what, const std::string& name);
   /** The map that a file is part of: itself, or the yaml beside a picture; empty for none. */
   std::string mapOf(const std::string& name) const;
+  /** The yaml that names a picture of another name; empty for none. O(files of the folder). */
+  std::string mapWithPicture(const std::string& name) const;
   std::optional<std::string> takeWhole();
   /** How long to wait for events [ms]; -1 for as long as it takes. */
   int patience() const;

@@ -65,6 +65,13 @@ has_lines 6
 for i in $(seq 50); do cmp -s told lines && break; sleep 0.1; done
 cmp -s told lines || fail "the command has had other lines"
 [ "$(grep -c called errors)" = 6 ] || fail "the command's output is lost"
+# A ROS map is read again once its picture is there, also where that has another name.
+sed s/plan.pgm/drawing.pgm/ in/plan.yaml > in/other.yaml
+has_lines 7
+field error | grep -q drawing.pgm || fail "no error for a map without its picture"
+rooms in/drawing.pgm 200
+has_lines 8
+[ "$(field file)" = in/other.yaml ] && [ "$(field error)" = None ] || fail "not read with its picture"
 
 # A kill loses nothing: what the archive knows is not told again, what came meanwhile is.
 kill -KILL $watcher
@@ -84,7 +91,7 @@ ends office.simplemap.gz
 has_lines 2
 [ "$(field file)" = in/five.simplemap.gz ] && [ "$(field error)" = None ] || fail "not judged when whole"
 expect 0 "$roomgraph" archive site.db list
-[ "$(grep -c anna out)" = 7 ] || { cat out >&2; fail "not seven runs in the archive"; }
+[ "$(grep -c anna out)" = 8 ] || { cat out >&2; fail "not eight runs in the archive"; }
 
 # It ends by the signal that it gets, and with its folder.
 kill -TERM $watcher
