@@ -45,6 +45,17 @@ TEST(PlacesOsm, carriedTwiceIsCarriedOnce) {
   EXPECT_NE(text.find("dock"), std::string::npos);
 }
 
+TEST(PlacesOsm, aWayWithinAnotherOneIsNone) {
+  const std::string nested =
+      "  <way id='4'><nd ref='-2'/><nd ref='-3'/><way id='5'><nd ref='-3'/><tag k='name' "
+      "v='b'/></way></way>\n";
+  const MarkedFile file = osmPlaces(
+      osm(kRoot + node("-2", {1, 2}) + "/>\n" + node("-3", {3, 2}) + "/>\n" + nested), "a.osm");
+  ASSERT_EQ(file.things.size(), 1u);
+  EXPECT_EQ(file.things[0].name, "4");
+  EXPECT_NO_THROW(osmPlaces(test::textBy({}, file), "a.osm")) << "is XML";
+}
+
 TEST(PlacesOsm, placesAreCountedFromTheRoot) {
   const OsmOrigin origin(53.2, 8.8);
   const std::string text =

@@ -91,34 +91,34 @@ class OsmParser {
       element.attributes.emplace_back(attributes[0], attributes[1]);
     if (root_.empty()) root_ = name;
     element.start = here();
-    if (name == "node" || name == "way") {
+    if (inside_ > 0) {
+      if (++inside_ > 2) return;
+      if (name == "nd") elements.back().nodes.push_back(element.attribute("ref"));
+      if (name == "tag") {
+        elements.back().tags.emplace_back(element.attribute("k"), element.attribute("v"));
+        tag_ = element.start;
+      }
+    } else if (name == "node" || name == "way") {
       element.isNode = name == "node";
       element.line = std::size_t(XML_GetCurrentLineNumber(parser_.get()));
       elements.push_back(std::move(element));
-      isInside_ = true;
-    } else if (isInside_ && name == "nd") {
-      elements.back().nodes.push_back(element.attribute("ref"));
-    } else if (isInside_ && name == "tag") {
-      elements.back().tags.emplace_back(element.attribute("k"), element.attribute("v"));
-      tag_ = element.start;
+      inside_ = 1;
     }
   }
 
   void end(const std::string& name) {
     const Span span = here();
-    if (name == "node" || name == "way") {
-      isInside_ = false;
-      // Of an element that is closed at once, there is nothing left here.
-      Element& element = elements.back();
+    if (inside_ == 0) return;
+    Element& element = elements.back();
+    if (--inside_ == 0)  // of an element that is closed at once, there is nothing left here
       element.end = span.begin > element.start.begin ? span.begin : element.start.end;
-    } else if (isInside_ && name == "tag" && isState(elements.back().tags.back().first)) {
-      elements.back().states.push_back({tag_.begin, std::max(tag_.end, span.end)});
-    }
+    else if (inside_ == 1 && name == "tag" && isState(element.tags.back().first))
+      element.states.push_back({tag_.begin, std::max(tag_.end, span.end)});
   }
 
   std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser_;
   std::string root_;
-  bool isInside_ = false;  // a node or way
+  int inside_ = 0;  // so many open elements, of which the first is a node or way
   Span tag_;
 };
 
