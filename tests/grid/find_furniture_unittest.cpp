@@ -67,6 +67,12 @@ TEST(FindFurniture, aPierInLineWithAWallIsNone) {
       << "in line with the first one";
 }
 
+TEST(FindFurniture, aSquarePierIsInLineWithTwoWallsInAnyDirection) {
+  const Block pier{{6, 4.5}, 1.4, 1.4};
+  EXPECT_EQ(furnitureIn({{{2.05, 4.5}, 4.1, 1.2}, pier}), 0);
+  EXPECT_EQ(furnitureIn({{{6, 1.3}, 1.2, 2.6}, pier}), 0);
+}
+
 TEST(FindFurniture, aRowThatEndsAtTheFacesOfWallsIsSome) {
   EXPECT_NEAR(furnitureIn({{{2, 4.5}, 2, 0.8}, {{6, 4.5}, 3, 0.8}, {{10, 4.5}, 2, 0.8}}), 5.6, 0.3);
 }

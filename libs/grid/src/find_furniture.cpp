@@ -87,18 +87,20 @@ class FurnitureFinder {
     }
   }
 
-  /** Looked for on two lines, as its middle may lie between two rows of cells. */
+  /** Along both of its axes, as a square has two, and on two lines on either side of its middle. A
+   *  quarter of a cell keeps these off the borders of cells, where the map's pose would decide. */
   std::vector<std::size_t> inLineWith(const ClutterGroup& group) const {
-    const Point along = directionOf(group);
-    const double width = widthAcross(group, along), length = widthAcross(group, toLeft(along));
     std::vector<std::size_t> found;
-    for (const double side : {-0.25, 0.25})
-      for (const double end : {-0.5, 0.5}) {
-        const Point step = 2 * end * along;
-        const std::optional<Point> wall =
-            acrossGap(group.middle() + side * width * toLeft(along) + end * length * along, step);
-        if (wall && goesOn(*wall, step, width)) found.push_back(grid_.frame.index(cellAt(*wall)));
+    const Point axis = directionOf(group);
+    for (const Point along : {axis, toLeft(axis), -1 * axis, -1 * toLeft(axis)}) {
+      const double width = widthAcross(group, along), length = widthAcross(group, toLeft(along));
+      const Point end = group.middle() + (std::floor(length / 2) + 0.25) * along;
+      for (const double side : {-1.0, 1.0}) {
+        const Point start = end + side * (std::floor(width / 4) + 0.25) * toLeft(along);
+        const std::optional<Point> wall = acrossGap(start, along);
+        if (wall && goesOn(*wall, along, width)) found.push_back(grid_.frame.index(cellAt(*wall)));
       }
+    }
     return found;
   }
 
