@@ -49,6 +49,13 @@ TEST(FindFurniture, aShelfIsSomeHoweverItIsTurned) {
     EXPECT_NEAR(furnitureIn({{{6, 4.5}, 3, 0.8, degrees * M_PI / 180}}), 2.4, 0.2) << degrees;
 }
 
+TEST(FindFurniture, specksThatStickToAShelfDoNotMatter) {
+  Grid grid = roomWith({{{6, 4.5}, 3, 0.8}});
+  const auto draw = [&](int x, int y) { grid.cells[grid.frame.index({x, y})] = State::occupied; };
+  for (int i = 0; i < 12; ++i) draw(110 + i, 102 + i), draw(130 - i, 84 - i);
+  EXPECT_NEAR(double(cleared(grid).furniture.size()) * 0.05 * 0.05, 2.4, 0.2);
+}
+
 TEST(FindFurniture, whatIsThinLongOrNearIsNone) {
   EXPECT_EQ(furnitureIn({{{6, 4.5}, 3, 0.2}}), 0) << "a partition";
   EXPECT_EQ(furnitureIn({{{6, 4.5}, 6.5, 0.8}}), 0) << "longer than furniture";

@@ -17,6 +17,8 @@ namespace {
 constexpr double kThinnest = 0.25, kWidest = 2, kApart = 0.4, kWidestGap = 1.5;
 /** Of its convex hull, and with what beams have missed of it. */
 constexpr double kSolid = 0.75;
+/** A cell with fewer of its neighbours and itself is a speck. */
+constexpr int kMostOfNine = 5;
 /** A wall is so much thicker or thinner than a pier in it at most. */
 constexpr double kThicker = 1.5, kThinner = 2;
 
@@ -41,11 +43,29 @@ class FurnitureFinder {
 
   static Cell cellAt(Point place) { return {int(std::lround(place.x)), int(std::lround(place.y))}; }
 
+  /** Whether it only sticks to what it belongs to. */
+  bool isSpeck(Cell cell) const {
+    int solid = 0;
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx)
+        solid += grid_.atOrUnknown({cell.x + dx, cell.y + dy}) != State::free ? 1 : 0;
+    return solid < kMostOfNine;
+  }
+
+  ClutterGroup withoutSpecks(ClutterGroup group) const {
+    eraseIf(group.cells, [&](Cell cell) { return isSpeck(cell); });
+    group.box = {};
+    for (const Cell cell : group.cells) group.box.include(cell);
+    return group;
+  }
+
   bool isBlock(const ClutterGroup& group) const {
-    const Ring hull = convexHull(cornersOf(group));
+    const ClutterGroup core = withoutSpecks(group);
+    if (core.cells.empty()) return false;
+    const Ring hull = convexHull(cornersOf(core));
     const double width = leastWidth(hull);
     return width >= cells(kThinnest) && width <= cells(kWidest) &&
-           double(group.cells.size()) >= kSolid * signedArea(hull);
+           double(core.cells.size()) >= kSolid * signedArea(hull);
   }
 
   bool isApart(const ClutterGroup& group) const {

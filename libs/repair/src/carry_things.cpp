@@ -84,6 +84,20 @@ std::vector<std::vector<std::size_t>> neighboursOf(const std::vector<Transform2D
   return neighbours;
 }
 
+/** By the worst of its places; `hasMoved` tells which of them follow others. */
+void tellState(CarriedThing& there, const Thing& thing, const std::vector<CarriedPlace>& carried,
+               const std::vector<bool>& hasMoved) {
+  there.error = 0;
+  for (std::size_t i = 0; i < thing.places.size(); ++i) {
+    CarriedPlace place = carried[thing.places[i]];
+    if (hasMoved[i] && place.state == CarryState::carried)
+      place.state = CarryState::unsure, place.reason = "its parts lie apart on the new map";
+    if (place.state > there.state) there.state = place.state, there.reason = place.reason;
+    if (!place.pose) there.error.reset();
+    if (there.error) there.error = std::max(*there.error, place.error);
+  }
+}
+
 }  // namespace
 
 std::vector<CarriedThing> carriedThings(const MarkedFile& file,
@@ -105,15 +119,7 @@ std::vector<CarriedThing> carriedThings(const MarkedFile& file,
       there.state = CarryState::unsure, there.reason = "it has no place in its file";
       continue;
     }
-    there.error = 0;
-    for (std::size_t i = 0; i < thing.places.size(); ++i) {
-      CarriedPlace place = carried[thing.places[i]];
-      if (hasMoved[i] && place.state == CarryState::carried)
-        place.state = CarryState::unsure, place.reason = "its parts lie apart on the new map";
-      if (place.state > there.state) there.state = place.state, there.reason = place.reason;
-      if (!place.pose) there.error.reset();
-      if (there.error) there.error = std::max(*there.error, place.error);
-    }
+    tellState(there, thing, carried, hasMoved);
   }
   return things;
 }
