@@ -80,6 +80,15 @@ TEST(FindFurniture, aSquarePierIsInLineWithTwoWallsInAnyDirection) {
   EXPECT_EQ(furnitureIn({{{6, 1.3}, 1.2, 2.6}, pier}), 0);
 }
 
+TEST(FindFurniture, endsAtTheBorderOfTheMap) {
+  Grid grid;
+  grid.frame = {80, 80, 0.05, {}};
+  grid.cells.assign(grid.frame.cellCount(), State::free);
+  for (int y = 0; y < 40; ++y)  // a triangle in the corner
+    for (int x = 0; x < 40 - y; ++x) grid.cells[grid.frame.index({x + 1, y + 1})] = State::occupied;
+  EXPECT_FALSE(cleared(grid).furniture.empty());
+}
+
 TEST(FindFurniture, aRowThatEndsAtTheFacesOfWallsIsSome) {
   EXPECT_NEAR(furnitureIn({{{2, 4.5}, 2, 0.8}, {{6, 4.5}, 3, 0.8}, {{10, 4.5}, 2, 0.8}}), 5.6, 0.3);
 }

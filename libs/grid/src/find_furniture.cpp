@@ -126,8 +126,9 @@ class FurnitureFinder {
 
   /** From the end of a group into what is solid behind the gap beside it. */
   std::optional<Point> acrossGap(Point place, Point step) const {
-    while (isSolid(place)) place = place + step;
-    for (int gap = 0; gap <= cells(kWidestGap); ++gap, place = place + step)
+    const auto isInside = [&] { return grid_.frame.contains(cellAt(place)); };
+    while (isInside() && isSolid(place)) place = place + step;
+    for (int gap = 0; isInside() && gap <= cells(kWidestGap); ++gap, place = place + step)
       if (isSolid(place)) return place + step;
     return std::nullopt;
   }
