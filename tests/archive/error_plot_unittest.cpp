@@ -33,6 +33,12 @@ TEST(ErrorPlot, hasAMarkForEachRunAndARingForTheLastGoodOne) {
   EXPECT_EQ(count(plot, "worse since"), 0U);
 }
 
+TEST(ErrorPlot, hasAnEndForARunOfATimeThatIsNone) {
+  WatchedSite site = siteOf({0.1, 0.1});
+  site.history.runs.back().time = 1e300;
+  EXPECT_LE(count(plotOf(site), "text-anchor=\"middle\""), 7U);
+}
+
 TEST(ErrorPlot, marksTornRunsAndTheChange) {
   WatchedSite site = siteOf(std::vector<double>(20, 0.1));
   for (int night = 0; night < 20; ++night)

@@ -90,9 +90,10 @@ std::string axes(const Scales& scales) {
                      kLeft - 8, y + 4, std::round(error * 1e6) / 1e6);
   }
   const double days = (scales.last - scales.first) / kDay;
-  const double apart = std::max(1.0, std::ceil(days / 6));
+  constexpr int kMostSteps = 6;  // so many at any time, even where a day more makes no difference
+  const double apart = std::max(1.0, std::ceil(days / kMostSteps));
   const double firstDay = std::ceil(scales.first / kDay);
-  for (int k = 0; (firstDay + k * apart) * kDay <= scales.last; ++k) {
+  for (int k = 0; k <= kMostSteps && (firstDay + k * apart) * kDay <= scales.last; ++k) {
     const double time = (firstDay + k * apart) * kDay;
     svg += formatted("<text class=\"tick\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">%s</text>",
                      std::clamp(scales.x(time), kLeft + 20, kPlotWidth - 50), kPlotHeight - 8,
