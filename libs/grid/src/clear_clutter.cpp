@@ -31,16 +31,18 @@ enum class Mark : std::uint8_t { unseen, inGroup, small, other };
 
 class ClutterFinder {
  public:
-  ClutterFinder(Grid& grid, double maxSize)
-      : grid_(grid),
+  ClutterFinder(ClearedMap& cleared, double maxSize)
+      : cleared_(cleared),
+        grid_(cleared.grid),
         maxSize_(maxSize),
         maxTable_(kTableSize * maxSize),
-        marks_(grid.cells.size(), Mark::unseen) {}
+        maxFurniture_(kLongestFurniture * maxSize),
+        marks_(grid_.cells.size(), Mark::unseen) {}
 
   /** Frees the groups of these cells that are clutter, and tells about them: first what is small,
    *  then all tables among what is left, so that the order of the cells does not matter. What is
-   *  furniture then goes into `furniture`. */
-  std::vector<Clutter> clear(const std::vector<Cell>& obstacles, std::vector<Cell>& furniture) {
+   *  furniture then stays. */
+  void clear(const std::vector<Cell>& obstacles) {
     std::vector<ClutterGroup> found;
     for (const Cell cell : obstacles) {
       if (!grid_.frame.contains(cell) || marks_[grid_.frame.index(cell)] != Mark::unseen) continue;
@@ -58,17 +60,16 @@ class ClutterFinder {
     std::vector<ClutterGroup> larger(std::make_move_iterator(rest),
                                      std::make_move_iterator(found.end()));
     found.erase(rest, found.end());
-    std::vector<Clutter> clutter;
     for (const ClutterGroup& group : found) {
       freeCells(group);
       const GridFrame& frame = grid_.frame;
       if (group.isSeen())
-        clutter.push_back({midpoint(frame.center(group.box.low), frame.center(group.box.high)),
-                           frame.resolution * group.size});
+        cleared_.clutter.push_back(
+            {midpoint(frame.center(group.box.low), frame.center(group.box.high)),
+             frame.resolution * group.size});
     }
     for (const ClutterGroup& group : furnitureAmong(std::move(larger), grid_, maxSize_))
-      furniture.insert(furniture.end(), group.cells.begin(), group.cells.end());
-    return clutter;
+      cleared_.furniture.insert(cleared_.furniture.end(), group.cells.begin(), group.cells.end());
   }
 
  private:
@@ -98,7 +99,7 @@ class ClutterFinder {
       group_.wall += grid_.at(cell) == State::occupied ? 1 : 0;
     }
     group_.size = sizeOf(group_);
-    return metres(group_.size) <= kLongestFurniture * maxSize_;
+    return metres(group_.size) <= maxFurniture_;
   }
 
   double metres(double cells) const { return grid_.frame.resolution * cells; }
@@ -181,13 +182,6 @@ class ClutterFinder {
            (!grid_.frame.contains(cell) || marks_[grid_.frame.index(cell)] != Mark::small);
   }
 
-  static Cell cellAt(Point place) {
-    // To the nearest one, as std::lround() does it, but five times as fast.
-    constexpr int kBelow = 1 << 20;
-    constexpr double kToNearest = kBelow + 0.5;
-    return {int(place.x + kToNearest) - kBelow, int(place.y + kToNearest) - kBelow};
-  }
-
   /** Whether it has a room round it, which may be larger where nothing else is near. What stands in
    *  a hall splits nothing, and a row of cupboards with doors between them has space on two sides:
    *  both stay. */
@@ -222,8 +216,7 @@ class ClutterFinder {
     if (grid_.cells[index] == State::free || marks_[index] == Mark::inGroup) return true;
     if (marks_[index] == Mark::other) return false;
     open_.push_back(near);
-    return !add(near) || metres(std::max(group_.box.width(), group_.box.height())) <=
-                             kLongestFurniture * maxSize_;
+    return !add(near) || metres(std::max(group_.box.width(), group_.box.height())) <= maxFurniture_;
   }
 
   /** Returns whether the box of the group has grown. */
@@ -235,8 +228,9 @@ class ClutterFinder {
     return !isWithin;
   }
 
-  Grid& grid_;
-  double maxSize_, maxTable_;  // [m]
+  ClearedMap& cleared_;
+  Grid& grid_;                                // of it
+  double maxSize_, maxTable_, maxFurniture_;  // [m]
   std::vector<Mark> marks_;
   ClutterGroup group_;
   std::vector<Cell> open_;  // of it, whose neighbours are not visited yet
@@ -262,8 +256,7 @@ void describe(ClearClutterOptions& options, FieldTable& table) {
 ClearedMap clearClutter(const Grid& grid, const ObstacleCells& obstacles,
                         const ClearClutterOptions& options) {
   ClearedMap cleared{grid, std::vector<std::uint8_t>(obstacles.cells.size()), {}, {}};
-  cleared.clutter =
-      ClutterFinder(cleared.grid, options.maxSize).clear(obstacles.cells, cleared.furniture);
+  ClutterFinder(cleared, options.maxSize).clear(obstacles.cells);
   markClutter(cleared, obstacles);
   return cleared;
 }

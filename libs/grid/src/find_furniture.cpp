@@ -41,8 +41,6 @@ class FurnitureFinder {
 
   bool isSolid(Point place) const { return grid_.atOrUnknown(cellAt(place)) != State::free; }
 
-  static Cell cellAt(Point place) { return {int(std::lround(place.x)), int(std::lround(place.y))}; }
-
   /** Whether it only sticks to what it belongs to. */
   bool isSpeck(Cell cell) const {
     int solid = 0;
