@@ -58,15 +58,9 @@ bool isOurSimplemap(const std::string& file) {
 /** By a yaml of its folder: that of the same name mostly, but a mask that was carried has names
  *  that somebody else gave. */
 bool isOurPicture(const std::string& file) {
-  const auto isNamedBy = [&](const fs::path& yaml) {
-    return hasAuthorLine(yaml.string()) && areSameFile(pictureOf(yaml.string()), file);
-  };
-  if (isNamedBy(fs::path(file).replace_extension(".yaml"))) return true;
-  const fs::path folder = fs::path(file).parent_path();
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, error))
-    if (isNamedBy(entry.path())) return true;
-  return false;
+  const std::string yaml = fs::path(file).replace_extension(".yaml").string();
+  return (hasAuthorLine(yaml) && areSameFile(pictureOf(yaml), file)) ||
+         anyOf(mapsWithPicture(file), hasAuthorLine);
 }
 
 /** Rooms of a site that were not carried are kept from call to call, with names that users give. */
@@ -117,6 +111,16 @@ std::string pictureOf(const std::string& mapFile) {
   return {};
 }
 
+std::vector<std::string> mapsWithPicture(const std::string& picture) {
+  const fs::path folder = fs::path(picture).parent_path();
+  std::vector<std::string> maps;
+  std::error_code error;
+  for (fs::directory_iterator at(folder.empty() ? "." : folder, error), end; at != end && !error;
+       at.increment(error))
+    if (areSameFile(pictureOf(at->path().string()), picture)) maps.push_back(at->path().string());
+  return maps;
+}
+
 std::string foreignMapOf(const std::string& file) {
   for (const char* extension : {".yaml", ".yml"}) {
     std::string yaml = fs::path(file).replace_extension(extension).string();
@@ -141,10 +145,11 @@ bool isOurs(const std::string& file) {
   if (isOf(".pgm")) return isOurPicture(file);
   if (isOf(".gridmap", ".gridmap.gz", ".rawlog")) return holds(storedHead(file), kGzipMark);
   if (isOf(".simplemap", ".simplemap.gz", ".simplemap.zst")) return isOurSimplemap(file);
-  const std::string head = storedHead(file);
   if (isOf(".json")) return isOurJson(file) || isCarriedFile(file);
-  if (isOf(".geojson")) return holds(head, "\"name\": \"roomgraph") || isCarriedFile(file);
-  if (isOf(".osm")) return holds(head, "generator=\"roomgraph\"") || isCarriedFile(file);
+  if (isOf(".geojson"))
+    return holds(storedHead(file), "\"name\": \"roomgraph") || isCarriedFile(file);
+  if (isOf(".osm"))
+    return holds(storedHead(file), "generator=\"roomgraph\"") || isCarriedFile(file);
   if (isOf(".csv")) return isOurTable(file) || isCarriedFile(file);
   if (hasAuthorLine(file)) return true;
   if (isMapOrArchive(file)) return isOurPicture(file);

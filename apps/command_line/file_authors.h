@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 namespace roomgraph {
 
@@ -9,6 +10,9 @@ std::string withAuthor(const std::string& text);
 
 /** The picture that a ROS map's yaml names; empty for any other file. */
 std::string pictureOf(const std::string& mapFile);
+
+/** The ROS maps beside a picture that name it, whatever they are called. O(files there). */
+std::vector<std::string> mapsWithPicture(const std::string& picture);
 
 /** The ROS map of somebody else that has a file for its picture; empty for none. */
 std::string foreignMapOf(const std::string& file);

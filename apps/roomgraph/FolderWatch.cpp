@@ -107,10 +107,8 @@ std::string FolderWatch::mapOf(const std::string& name) const {
 
 std::string FolderWatch::mapWithPicture(const std::string& name) const {
   if (!hasExtensionOf(name, true)) return "";
-  std::error_code error;
-  for (fs::directory_iterator at(folder_, error), end; at != end && !error; at.increment(error))
-    if (fileName(pictureOf(at->path().string())) == name) return at->path().filename().string();
-  return "";
+  const std::vector<std::string> maps = mapsWithPicture(path(name));
+  return maps.empty() ? "" : fileName(maps.front());
 }
 
 void FolderWatch::handle(unsigned what, const std::string& name) {
