@@ -37,54 +37,39 @@ MeasureRow ofMap(const MeasureKind& kind, MeasuredValue (*figure)(const Run&)) {
 }
 
 std::vector<MeasureRow> wallRows() {
-  return {
-      {{"coverage", "Coverage", "1", kFewestThings,
-        "Of what two runs have seen free, the share it has seen."},
-       [](Known all, Index run) { return all.coverage[run]; },
-       {}},
-      {{"bend", "Bend away from the others", "m", kFewestWalls,
-        "Mean bend against the others, by trust."},
-       [](Known all, Index run) { return bendOf(all.bends, all.maps, all.trust, run); },
-       [](Known all, Index a, Index b) { return bendOfPair(all.bends(a, b)); }},
-      {{"followed", "Walls found again", "1", kFewestWalls, "Share of the walls that both have."},
-       {},
-       [](Known all, Index a, Index b) { return followedOfPair(all.bends(a, b)); }},
-      ofMap({"axis_deviation", "Walls off right angles, median", "deg", 0,
-             "Median angle between its walls and the nearer of its two main directions."},
-            axisDeviationOf),
-      {{"wall_distance_mean", "Wall distance, mean", "m", kFewestWalls,
-        "Mean distance of the walls of both."},
-       {},
-       [](Known all, Index a, Index b) {
-         return meanWallDistanceOfPair(all.sightings.distances, a, b);
-       }}};
+  return {{{"coverage", "Coverage", "1", kFewestThings},
+           [](Known all, Index run) { return all.coverage[run]; },
+           {}},
+          {{"bend", "Bend away from the others", "m", kFewestWalls},
+           [](Known all, Index run) { return bendOf(all.bends, all.maps, all.trust, run); },
+           [](Known all, Index a, Index b) { return bendOfPair(all.bends(a, b)); }},
+          {{"followed", "Walls found again", "1", kFewestWalls},
+           {},
+           [](Known all, Index a, Index b) { return followedOfPair(all.bends(a, b)); }},
+          ofMap({"axis_deviation", "Walls off right angles, median", "deg", 0}, axisDeviationOf),
+          {{"wall_distance_mean", "Wall distance, mean", "m", kFewestWalls},
+           {},
+           [](Known all, Index a, Index b) {
+             return meanWallDistanceOfPair(all.sightings.distances, a, b);
+           }}};
 }
 
 std::vector<MeasureRow> wallPlaceRows() {
-  return {wallDistance({"wall_distance", "Wall distance, median", "m", kFewestWalls,
-                        "Median distance of its walls to those of the others."},
-                       0.5),
-          wallDistance({"wall_distance_p90", "Wall distance, 9 of 10 below", "m", kFewestWalls,
-                        "90th percentile of the same distances."},
-                       0.9),
-          ofSightings({"walls_missing", "Walls of the others that are gone", "1", kFewestWalls,
-                       "Of the walls that two others have, the share that it does not draw."},
-                      wallsMissingOf),
-          ofSightings({"walls_added", "Walls that no other has", "1", kFewestWalls,
-                       "Where most are, the share of its walls where the others show free space."},
-                      wallsAddedOf),
-          ofSightings({"straight_walls_added", "Straight walls that no other has", "1",
-                       kFewestWalls, "The same of walls that go on straight for 2 m."},
-                      straightWallsAddedOf)};
+  return {
+      wallDistance({"wall_distance", "Wall distance, median", "m", kFewestWalls}, 0.5),
+      wallDistance({"wall_distance_p90", "Wall distance, 9 of 10 below", "m", kFewestWalls}, 0.9),
+      ofSightings({"walls_missing", "Walls of the others that are gone", "1", kFewestWalls},
+                  wallsMissingOf),
+      ofSightings({"walls_added", "Walls that no other has", "1", kFewestWalls}, wallsAddedOf),
+      ofSightings({"straight_walls_added", "Straight walls that no other has", "1", kFewestWalls},
+                  straightWallsAddedOf)};
 }
 
 std::vector<MeasureRow> roomRows() {
-  return {{{"rooms_matched", "Rooms found again", "1", 3,
-            "Of the rooms of the others that it has seen, the share it has, too."},
+  return {{{"rooms_matched", "Rooms found again", "1", 3},
            [](Known all, Index run) { return roomsMatchedOf(all.rooms, all.trust, run); },
            {}},
-          {{"room_coverage", "Room area of the others that it has", "1", kFewestThings,
-            "Of the area of all rooms of the others, the share in rooms that it has, too."},
+          {{"room_coverage", "Room area of the others that it has", "1", kFewestThings},
            [](Known all, Index run) { return roomCoverageOf(all.rooms, all.trust, run); },
            {}}};
 }
@@ -115,53 +100,36 @@ GraphFigure consistencyOver(std::size_t hops) {
 
 std::vector<MeasureRow> graphRows() {
   using Graphs = GraphComparison;
-  return {ofGraphs({"path_coverage", "Paths of the others that it has", "1", 20,
-                    "Of the path length of the others, the share it has, too."},
-                   {[](const Graphs& g, bool isA) { return isA ? g.coverageOfA : g.coverageOfB; }}),
-          rmsOfGraphs({"global_accuracy", "Vertices off, RMS", "m", kFewestThings,
-                       "RMS distance of matched vertices in the frame of the site."},
-                      &Graphs::globalAccuracy),
-          rmsOfGraphs({"relative_accuracy", "Vertices off after the best fit, RMS", "m",
-                       kFewestThings, "The same after the turn and shift that fit each pair best."},
-                      &Graphs::relativeAccuracy),
-          ofGraphs({"consistency_1", "Distances off, 1 hop", "1", kFewestThings,
-                    "Median error of distances between vertices one path apart."},
-                   consistencyOver(1)),
-          ofGraphs({"consistency_2", "Distances off, 2 hops", "1", kFewestThings,
-                    "The same, two paths apart."},
-                   consistencyOver(2)),
-          ofGraphs({"consistency_4", "Distances off, 4 hops", "1", kFewestThings,
-                    "The same, four paths apart."},
-                   consistencyOver(4)),
-          ofGraphs({"consistency_8", "Distances off, 8 hops", "1", kFewestThings,
-                    "The same, eight paths apart."},
-                   consistencyOver(8)),
-          ofGraphs({"path_length_error", "Path lengths off, median", "1", kFewestThings,
-                    "Median error of the lengths of matched paths."},
-                   &Graphs::lengthError),
-          ofGraphs({"path_frechet", "Paths apart (Fréchet), median", "m", kFewestThings,
-                    "Median Fréchet distance of matched paths, their ends laid on each other."},
-                   &Graphs::frechet),
-          ofGraphs({"nearest_vertex", "Nearest vertex, mean", "m", kFewestThings,
-                    "Mean distance of its vertices to the nearest vertex of the other."},
-                   {[](const Graphs& g, bool isA) { return isA ? g.nearestA : g.nearestB; }})};
+  return {
+      ofGraphs({"path_coverage", "Paths of the others that it has", "1", 20},
+               {[](const Graphs& g, bool isA) { return isA ? g.coverageOfA : g.coverageOfB; }}),
+      rmsOfGraphs({"global_accuracy", "Vertices off, RMS", "m", kFewestThings},
+                  &Graphs::globalAccuracy),
+      rmsOfGraphs({"relative_accuracy", "Vertices off after the best fit, RMS", "m", kFewestThings},
+                  &Graphs::relativeAccuracy),
+      ofGraphs({"consistency_1", "Distances off, 1 hop", "1", kFewestThings}, consistencyOver(1)),
+      ofGraphs({"consistency_2", "Distances off, 2 hops", "1", kFewestThings}, consistencyOver(2)),
+      ofGraphs({"consistency_4", "Distances off, 4 hops", "1", kFewestThings}, consistencyOver(4)),
+      ofGraphs({"consistency_8", "Distances off, 8 hops", "1", kFewestThings}, consistencyOver(8)),
+      ofGraphs({"path_length_error", "Path lengths off, median", "1", kFewestThings},
+               &Graphs::lengthError),
+      ofGraphs({"path_frechet", "Paths apart (Fréchet), median", "m", kFewestThings},
+               &Graphs::frechet),
+      ofGraphs({"nearest_vertex", "Nearest vertex, mean", "m", kFewestThings},
+               {[](const Graphs& g, bool isA) { return isA ? g.nearestA : g.nearestB; }})};
 }
 
 std::vector<MeasureRow> mapRows() {
   return {
-      {{"brokenness", "Extra pieces", "pieces", kFewestWalls, "Rigid pieces of the map, less one."},
+      {{"brokenness", "Extra pieces", "pieces", kFewestWalls},
        [](Known all, Index run) {
          return brokennessOf(all.site, all.pairs, all.trust, run, all.breaks[run].size());
        },
        {}},
-      ofMap({"wall_doubling", "Walls drawn twice", "1", kFewestWalls,
-             "Share of its walls that stand before another one that faces the same way."},
-            wallDoublingOf),
-      ofMap({"wall_sharpness", "Wall cells for each at the edge of free space", "1", kFewestWalls,
-             "Cells drawn as wall for each cell at the edge of free space."},
+      ofMap({"wall_doubling", "Walls drawn twice", "1", kFewestWalls}, wallDoublingOf),
+      ofMap({"wall_sharpness", "Wall cells for each at the edge of free space", "1", kFewestWalls},
             wallSharpnessOf),
-      ofMap({"scan_disagreement", "Scans off another visit, 9 of 10 below", "m", kFewestThings,
-             "How far scans lie from what was seen at the same place at another time."},
+      ofMap({"scan_disagreement", "Scans off another visit, 9 of 10 below", "m", kFewestThings},
             [](const Run& run) { return scanDisagreement(run.scans); })};
 }
 
