@@ -1,10 +1,7 @@
 #include <gtest/gtest.h>
 #include <mrpt/obs/CObservationGPS.h>
 #include <mrpt/obs/CObservationIMU.h>
-#include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/poses/CPose3DPDFGaussian.h>
-
-#include <cmath>
 
 #include "TestFolder.h"
 #include "map_files.h"
@@ -73,43 +70,6 @@ TEST_F(NewerSimplemap, observationsOfOtherSensorsAreSteppedOver) {
                       test::twistBytes(i == 1));
   }
   expectSameGrid(test::simplemapBytes(2, entries));
-}
-
-TEST_F(NewerSimplemap, keyframesKeepOdometryWhereThereIsSome) {
-  mrpt::obs::CObservationOdometry odometry;
-  odometry.odometry = mrpt::poses::CPose2D(1, 2, 0.5);
-  odometry.hasEncodersInfo = true;
-  const auto [pose, frame] = test::entryOf(simplemap_, 0);
-  const std::string scan = test::streamed(**frame->begin()), at = test::streamed(*pose);
-  const auto bytes = test::simplemapBytes(
-      2, {at + test::frameBytes({scan, test::streamed(odometry)}) + test::twistBytes(false),
-          at + test::frameBytes({scan}) + test::twistBytes(false)});
-  const auto frames = loadMap(dir_.write("map", bytes), {}).keyframes;
-  ASSERT_EQ(frames.size(), 2u);
-  ASSERT_TRUE(frames[0].odometry);
-  EXPECT_EQ(frames[0].odometry->x, 1);
-  EXPECT_EQ(frames[0].odometry->y, 2);
-  EXPECT_EQ(frames[0].odometry->phi, 0.5);
-  EXPECT_FALSE(frames[1].odometry);
-}
-
-TEST_F(NewerSimplemap, odometryThatCannotBeReadIsLeftOut) {
-  mrpt::obs::CObservationOdometry odometry;
-  std::string newer = test::streamed(odometry);
-  newer[newer.find("Odometry") + 8] = 3;  // its version
-  odometry.odometry.x(NAN);
-  for (const std::string& bytes : {newer, test::streamed(odometry)}) {
-    std::vector<std::string> entries;
-    for (std::size_t i = 0; i < simplemap_.size(); ++i) {
-      const auto [pose, frame] = test::entryOf(simplemap_, i);
-      entries.push_back(test::streamed(*pose) +
-                        test::frameBytes({bytes, test::streamed(**frame->begin())}) +
-                        test::twistBytes(false));
-    }
-    const std::string map = test::simplemapBytes(2, entries);
-    expectSameGrid(map);
-    EXPECT_FALSE(loadMap(dir_.write("map", map), {}).keyframes.at(0).odometry);
-  }
 }
 
 TEST_F(NewerSimplemap, scansKeepTheirIdentityInEveryVersion) {

@@ -67,8 +67,6 @@ std::vector<Keyframe> makeKeyframes(const PlacedScans& scans, double maxRange) {
     frame.ends = endsOf(placed.scan, beams.directions(placed.scan), maxRange);
     moveTo(flat(placed.robot), frame);
     if (placed.scan.time != INVALID_TIMESTAMP) frame.time = mrpt::Clock::toDouble(placed.scan.time);
-    if (placed.odometry)
-      frame.odometry = {placed.odometry->x(), placed.odometry->y(), placed.odometry->phi()};
     frame.scanId = placed.id;
   }
   return frames;

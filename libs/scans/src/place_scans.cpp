@@ -154,7 +154,6 @@ PlacedScan& addPlaced(PlacedScans& placed, const Recording& recording, std::size
                       PlacedScan scan) {
   scan.keyFrame = keyFrame;
   scan.robot = recording.frames[keyFrame].robot;
-  scan.odometry = recording.frames[keyFrame].odometry;
   return placed.scans.emplace_back(std::move(scan));
 }
 

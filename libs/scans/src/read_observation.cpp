@@ -1,7 +1,5 @@
 #include "roomgraph/scans/read_observation.h"
 
-#include <cmath>
-
 #include "roomgraph/base/checked_file.h"
 
 namespace roomgraph {
@@ -57,15 +55,6 @@ void readScan(ByteReader& reader, const ObjectHeader& header, RangeScan& scan) {
   readBeams(reader, header.version, scan);
   readScanEnd(reader, header.version, scan);
   readObjectEnd(reader, header);
-}
-
-std::optional<mrpt::poses::CPose2D> readOdometry(ByteReader& reader, const ObjectHeader& header) {
-  constexpr int newest = 2;
-  if (header.version > newest) return std::nullopt;
-  const mrpt::poses::CPose2D pose = readPose2D(reader);
-  if (!std::isfinite(pose.x()) || !std::isfinite(pose.y()) || !std::isfinite(pose.phi()))
-    return std::nullopt;
-  return pose;
 }
 
 }  // namespace roomgraph

@@ -67,8 +67,6 @@ void readObservation(ByteReader& reader, Recording& recording, bool isLast) {
       frame.clouds.push_back(readCloud(reader, header));
       label = frame.clouds.back().label;
     }
-    if (header.className == "CObservationOdometry")
-      if (const auto odometry = readOdometry(reader, header)) frame.odometry = odometry;
     skipObservation(reader, header, isLast, recording.version);
   }
   ++recording.sensors[{header.className, header.version, label}];

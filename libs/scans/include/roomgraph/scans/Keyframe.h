@@ -14,8 +14,6 @@ struct Keyframe {
   std::size_t number = 0;      ///< of the key frame in its file, from 0, with those without a scan
   Transform2D pose;            ///< map <- robot
   std::optional<double> time;  ///< of the scan [s since 1970, UTC]; none where the file has none
-  /** Where the robot's wheels say it was, in a frame of their own; none where the file does not. */
-  std::optional<Transform2D> odometry;
   /** The same for the same ranges, whatever the pose and the version of the file: two runs over one
    *  log share their scans. Other scans differ but for chance. */
   std::uint64_t scanId = 0;

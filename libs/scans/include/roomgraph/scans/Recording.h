@@ -1,5 +1,4 @@
 #pragma once
-#include <mrpt/poses/CPose2D.h>
 #include <mrpt/poses/CPose3D.h>
 
 #include <cstddef>
@@ -21,8 +20,7 @@ namespace roomgraph {
 struct Recording {
   /** What was recorded at one place. Its number is its index, from 0, in the order of the file. */
   struct Frame {
-    std::optional<mrpt::poses::CPose2D> odometry;  ///< the last one, in the robot's odometry frame
-    mrpt::poses::CPose3D robot;                    ///< map <- robot
+    mrpt::poses::CPose3D robot;      ///< map <- robot
     std::size_t begin = 0, end = 0;  ///< of a simplemap: its bytes in the inflated file
     std::vector<RangeScan> scans;
     std::vector<PointCloud> clouds;

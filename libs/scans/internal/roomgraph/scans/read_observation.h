@@ -1,6 +1,4 @@
 #pragma once
-#include <optional>
-
 #include "roomgraph/scans/RangeScan.h"
 #include "roomgraph/scans/mrpt_object.h"
 
@@ -10,9 +8,5 @@ namespace roomgraph {
  *  Ranges that are no length (NaN, negative) become invalid ones. Throws DataError where anything
  *  contradicts the format or a number is absurd. */
 void readScan(ByteReader& reader, const ObjectHeader& header, RangeScan& scan);
-
-/** Reads the pose that follows the header of a CObservationOdometry, versions 0 to 2, and leaves
- *  the rest. None where it is not finite, or the version is another: a map can do without. */
-std::optional<mrpt::poses::CPose2D> readOdometry(ByteReader& reader, const ObjectHeader& header);
 
 }  // namespace roomgraph
