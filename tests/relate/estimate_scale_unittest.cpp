@@ -34,20 +34,15 @@ Grid pictureOf(std::uint32_t seed, double guess, const test::Seen& seen = {}) {
 void expectScale(const std::optional<ScaleEstimate>& found, double resolution, double share) {
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->resolution / resolution, 1, share);
-  EXPECT_TRUE(found->alignment.isSameSite);
 }
 
-TEST(EstimateScale, findsTheScaleAndThePoseFromAnyGuess) {
+TEST(EstimateScale, findsTheScaleFromAnyGuess) {
   const std::vector<roomgraph::Run> runs{scaledRun(drawnBuilding(1, {3, -4, 0.4}))};
-  const Transform2D expected = Transform2D{3, -4, 0.4} * Transform2D{0, 0, 1.1}.inverse();
-  const Point middle = Transform2D{0, 0, 1.1}({12, 8});
   std::vector<double> scales;
   for (const double guess : {0.02, 0.1}) {
     const auto found = estimated(pictureOf(1, guess), runs);
     expectScale(found, kCell, 0.005);
     ASSERT_TRUE(found);
-    EXPECT_NEAR(wrappedAngle(found->alignment.pose.phi - expected.phi), 0, 0.01);
-    EXPECT_LT(distance(found->alignment.pose(middle), expected(middle)), 0.15);
     scales.push_back(found->resolution);
   }
   EXPECT_NEAR(scales[0], scales[1], 1e-6);
@@ -88,7 +83,6 @@ TEST(EstimateScale, looksInAnotherRunWhereTheFirstIsOfAnotherSite) {
   const auto found = estimated(pictureOf(1, 0.04, kWest), runs);
   expectScale(found, kCell, 0.005);
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->best, 0u);
   EXPECT_EQ(found->runs, 1u);
 }
 
@@ -100,7 +94,6 @@ TEST(EstimateScale, oneStretchedRunIsOutvoted) {
   const auto found = estimated(pictureOf(1, 0.05), runs);
   expectScale(found, kCell, 0.005);
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->best, 0u);
   EXPECT_EQ(found->runs, 3u);
 }
 
@@ -115,7 +108,6 @@ TEST(EstimateScale, theOrderOfRunsAndJobsChangesNothing) {
   });
   ASSERT_TRUE(one && other);
   EXPECT_EQ(one->resolution, other->resolution);
-  EXPECT_EQ(one->best, 1 - other->best);
 }
 
 TEST(EstimateScale, whatHasNoWallsHasNoScale) {

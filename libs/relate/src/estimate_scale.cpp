@@ -196,8 +196,7 @@ std::optional<ScaleEstimate> estimateScale(const Grid& picture, const std::vecto
     const auto found = foundIn(picture, run, forEach);
     if (!found) continue;
     const auto agreed = collectVotes(picture, runs, voters, *found, best, forEach);
-    const ScaleTrial there = trialAt(consensusOf(agreed), picture, run);
-    return ScaleEstimate{there.resolution, agreed.size(), best, there.alignment};
+    return ScaleEstimate{consensusOf(agreed), agreed.size()};
   }
   return std::nullopt;
 }

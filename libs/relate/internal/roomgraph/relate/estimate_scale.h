@@ -2,7 +2,6 @@
 #include <optional>
 #include <vector>
 
-#include "roomgraph/align/align_maps.h"
 #include "roomgraph/grid/Grid.h"
 #include "roomgraph/relate/Run.h"
 #include "roomgraph/relate/relate_runs.h"
@@ -21,8 +20,6 @@ constexpr double kMinScaleMargin = 1.2;      ///< of the score before that of an
 struct ScaleEstimate {
   double resolution = 0;  ///< side of a cell of the picture [m]
   std::size_t runs = 0;   ///< how many runs say so
-  std::size_t best = 0;   ///< the run that it was found in
-  Alignment alignment;    ///< best <- picture, at that scale, the picture's origin being scaled too
 };
 
 /** The same grid with cells of another size; its origin is scaled with them. */
