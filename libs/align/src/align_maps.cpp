@@ -85,16 +85,7 @@ Alignment alignmentOf(const WallMap& a, const WallMap& b,
   return result;
 }
 
-}  // namespace
-
-Alignment inverse(Alignment alignment) {
-  alignment.pose = alignment.pose.inverse();
-  for (Transform2D& pose : alignment.poses) pose = pose.inverse();
-  if (alignment.best) alignment.best->pose = alignment.best->pose.inverse();
-  if (alignment.runnerUp) alignment.runnerUp->pose = alignment.runnerUp->pose.inverse();
-  return alignment;
-}
-
+/** All poses that were looked at closely, best first; equal ones by the order of the search. */
 std::vector<AlignmentCandidate> alignmentCandidates(const WallMap& a, const WallMap& b,
                                                     const SearchEffort& effort) {
   std::vector<AlignmentCandidate> found;
@@ -103,6 +94,16 @@ std::vector<AlignmentCandidate> alignmentCandidates(const WallMap& a, const Wall
   sortDownBy(found, &AlignmentCandidate::score);
   found = lookedAt(a, b, found, effort.closer, kSecondLook);
   return lookedAt(a, b, found, effort.close, kCloseLook);
+}
+
+}  // namespace
+
+Alignment inverse(Alignment alignment) {
+  alignment.pose = alignment.pose.inverse();
+  for (Transform2D& pose : alignment.poses) pose = pose.inverse();
+  if (alignment.best) alignment.best->pose = alignment.best->pose.inverse();
+  if (alignment.runnerUp) alignment.runnerUp->pose = alignment.runnerUp->pose.inverse();
+  return alignment;
 }
 
 Alignment alignMaps(const WallMap& a, const WallMap& b, const SearchEffort& effort) {

@@ -41,6 +41,9 @@ Samples lastOf(const Samples& samples, std::size_t count) {
   return {samples.end() - std::ptrdiff_t(std::min(count, samples.size())), samples.end()};
 }
 
+/** Of the values, of which there must be one. */
+double medianOf(const Samples& samples) { return median(mapped(samples, &Sample::value)); }
+
 /** More than moved furniture and chance would do. */
 bool isWorse(double before, double after) {
   return after - before >= std::max(kLeastMetres, kLeastRise * before);
@@ -70,8 +73,6 @@ void findChange(ErrorWatch& watch, const Samples& errors, const WatchOptions& op
 }
 
 }  // namespace
-
-double medianOf(const Samples& samples) { return median(mapped(samples, &Sample::value)); }
 
 double mannKendall(const Samples& samples) {
   const double variance = varianceOf(samples);

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/Json.h"
 #include "roomgraph/base/OneToOne.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/sequences.h"
-#include "roomgraph/evaluation/write_stability.h"
 
 namespace roomgraph {
 namespace {

@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "roomgraph/base/Json.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/version.h"
@@ -122,6 +123,16 @@ Json inputJson(const Stability& result) {
   return input;
 }
 
+/** Sections of keys, as in the file of a graph. */
+Json optionsJson(const ExtractOptions& options) {
+  ExtractOptions copy = options;
+  const FieldTable table = describe(copy);
+  Json json = Json::object();
+  for (const Field& field : table.fields())
+    std::visit([&](const auto* value) { json[field.section][field.name] = *value; }, field.value);
+  return json;
+}
+
 Json experimentJson(const StabilityOptions& options) {
   return {{"distances_px", options.distances},
           {"percents", options.percents},
@@ -219,15 +230,6 @@ RunsDone readProgress(const std::string& text, const std::string& key,
     return RunsDone(runs.size());  // damaged: everything is computed anew
   }
   return done;
-}
-
-Json optionsJson(const ExtractOptions& options) {
-  ExtractOptions copy = options;
-  const FieldTable table = describe(copy);
-  Json json = Json::object();
-  for (const Field& field : table.fields())
-    std::visit([&](const auto* value) { json[field.section][field.name] = *value; }, field.value);
-  return json;
 }
 
 std::string stabilityCsv(const Stability& result) {

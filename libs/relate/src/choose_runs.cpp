@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -18,6 +19,9 @@ std::int64_t squareAt(double metres) {
   constexpr double most = 1 << 30;  // so that both coordinates fit into one number
   return std::int64_t(std::floor(std::clamp(metres, -most, most)));
 }
+
+/** How many of some runs have seen a square. */
+using SeenCounts = std::unordered_map<std::int64_t, std::size_t>;
 
 class Choosing {
  public:

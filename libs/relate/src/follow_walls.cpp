@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fitted_relate.h"
+#include "roomgraph/align/NarrowingBand.h"
 #include "roomgraph/align/WallFit.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/wall_share.h"
@@ -17,6 +18,9 @@
 
 namespace roomgraph {
 namespace {
+
+/** Around a wall, of what counts in the fit of a patch. */
+constexpr NarrowingBand kPatchBand{0.8, 0.25, 4};
 
 /** A patch as it may be found. */
 struct Offer {

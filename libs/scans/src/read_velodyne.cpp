@@ -19,6 +19,14 @@ Floats readFloats(ByteReader& reader) {
   return {reader.take(std::uint64_t(count) * sizeof(float)), count};
 }
 
+/** The packets of a laser scanner as it sends them, in the bytes of the file that they are from. */
+struct VelodynePackets {
+  static constexpr std::size_t kPacketSize = 1206, kLaserSize = 72;  ///< of one [bytes]
+
+  ByteView packets, lasers;           ///< what was sent, and how each laser is mounted
+  double minRange = 0, maxRange = 0;  ///< [m]
+};
+
 using mrpt::obs::CObservationVelodyneScan;
 
 static_assert(sizeof(CObservationVelodyneScan::TVelodyneRawPacket) == VelodynePackets::kPacketSize);
@@ -40,6 +48,23 @@ bool areKnown(const CObservationVelodyneScan& scan) {
           (lasers < 64 || block.header() != CObservationVelodyneScan::LOWER_BANK))
         return false;
   return true;
+}
+
+/** The points that the packets of a laser scanner mean [m, sensor frame]; MRPT knows its geometry.
+ *  None where a packet or the number of lasers is not one that MRPT knows. */
+CloudPoints velodynePoints(const VelodynePackets& from) {
+  CObservationVelodyneScan scan;
+  scan.timestamp = mrpt::Clock::now();  // any: points are placed from the packets alone
+  scan.minRange = from.minRange, scan.maxRange = from.maxRange;
+  copyInto(scan.scan_packets, from.packets);
+  copyInto(scan.calibration.laser_corrections, from.lasers);
+  if (!areKnown(scan)) return {};
+  scan.generatePointCloud();
+  const auto bytesOf = [](const std::vector<float>& values) {
+    return reinterpret_cast<const std::uint8_t*>(values.data());
+  };
+  const auto& cloud = scan.point_cloud;
+  return pointsOf(bytesOf(cloud.x), bytesOf(cloud.y), bytesOf(cloud.z), cloud.x.size());
 }
 
 }  // namespace
@@ -65,21 +90,6 @@ void readVelodyne(ByteReader& reader, PointCloud& cloud) {
     cloud.points = [=] { return pointsOf(x.bytes, y.bytes, z.bytes, x.count); };
   else
     cloud.points = [=] { return velodynePoints(packets); };
-}
-
-CloudPoints velodynePoints(const VelodynePackets& from) {
-  CObservationVelodyneScan scan;
-  scan.timestamp = mrpt::Clock::now();  // any: points are placed from the packets alone
-  scan.minRange = from.minRange, scan.maxRange = from.maxRange;
-  copyInto(scan.scan_packets, from.packets);
-  copyInto(scan.calibration.laser_corrections, from.lasers);
-  if (!areKnown(scan)) return {};
-  scan.generatePointCloud();
-  const auto bytesOf = [](const std::vector<float>& values) {
-    return reinterpret_cast<const std::uint8_t*>(values.data());
-  };
-  const auto& cloud = scan.point_cloud;
-  return pointsOf(bytesOf(cloud.x), bytesOf(cloud.y), bytesOf(cloud.z), cloud.x.size());
 }
 
 }  // namespace roomgraph

@@ -38,15 +38,10 @@ struct Alignment {
 /** The same alignment with the maps named the other way round. */
 Alignment inverse(Alignment alignment);
 
-/** All poses that were looked at closely, best first; equal ones by the order of the search.
- *  Deterministic. About 0.1 s for two maps of 1000 m2. */
-std::vector<AlignmentCandidate> alignmentCandidates(const WallMap& a, const WallMap& b,
-                                                    const SearchEffort& effort = kFullSearch);
-
 /** Finds how `b` lies in `a`, whatever its turn and with no first guess. Of a bent map, the part
  *  that fits best is laid down. Swapping the maps gives the inverse pose and the same numbers; a
- *  map fits itself as it is. Maps without walls have no candidates and confidence 0. Cost: that of
- *  alignmentCandidates. */
+ *  map fits itself as it is. Maps without walls have no candidates and confidence 0.
+ *  Deterministic. About 0.1 s for two maps of 1000 m2. */
 Alignment alignMaps(const WallMap& a, const WallMap& b, const SearchEffort& effort = kFullSearch);
 
 /** The same, but looks only near `poses` (a <- b), so that what lies elsewhere is not known: the

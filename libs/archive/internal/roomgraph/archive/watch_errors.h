@@ -14,9 +14,6 @@ struct Sample {
 /** In the order of time. */
 using Samples = std::vector<Sample>;
 
-/** Of the values, of which there must be one. */
-double medianOf(const Samples& samples);
-
 // Mann 1945, Kendall 1975
 
 /** How likely values without a trend rise as much as these do, 0 to 1: the test of Mann and Kendall

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/base/Json.h"
 #include "roomgraph/evaluation/stability.h"
 #include "roomgraph/pipeline/ExtractOptions.h"
 
@@ -27,9 +26,6 @@ std::string stabilityJson(const Stability& result);
 
 /** The paper's table, and below it the means of the sound measures. */
 std::string stabilityText(const Stability& result);
-
-/** Sections of keys, as in the file of a graph. */
-Json optionsJson(const ExtractOptions& options);
 
 /** One entry per run, in the order of stabilityRuns(); none where it is not done. */
 using RunsDone = std::vector<std::optional<RunMeasures>>;

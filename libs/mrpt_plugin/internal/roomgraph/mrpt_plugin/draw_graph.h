@@ -5,11 +5,11 @@
 namespace roomgraph {
 
 /** The graph in 3D: one set of objects, named "room graph", which holds by name and from below to
- *  above "map" (where there is one, see drawMap), "rooms" (floors), "room outlines", "ways in
- *  rooms", "corridors", "vertices" and "room numbers" (of rooms that have a vertex, as the final
- *  graph's do). Parts without content are left out. Metres, map frame, z = 0 is the map. O(size of
- *  the graph and its map). `before`, what was drawn of another graph of the same map, lends its
- *  map, which takes most of the time of a large one. */
+ *  above "map" (where there is one), "rooms" (floors), "room outlines", "ways in rooms",
+ *  "corridors", "vertices" and "room numbers" (of rooms that have a vertex, as the final graph's
+ *  do). Parts without content are left out. Metres, map frame, z = 0 is the map. O(size of the
+ *  graph and its map). `before`, what was drawn of another graph of the same map, lends its map,
+ *  which takes most of the time of a large one. */
 viz::CSetOfObjects::Ptr drawGraph(const MappedGraph& graph,
                                   const viz::CSetOfObjects::Ptr& before = nullptr);
 
@@ -19,10 +19,6 @@ Box drawnBox(const MappedGraph& graph);
 
 /** A map with more cells than this on a side is drawn coarser. */
 constexpr int kMostTexels = 2048;
-
-/** The map as a textured plane at z = 0, shifted by -`anchor`. A cell of the picture shows the
- *  darkest of the map cells that it stands for, so that thin walls stay. O(cells). */
-viz::CTexturedPlane::Ptr drawMap(const Grid& map, Point anchor);
 
 /** Makes the camera look at all of the box [m] from above, slightly tilted, in even light. The box
  *  is one of the scene turned by `turn` [rad] about its origin, as the camera shows it. */

@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "roomgraph/align/NarrowingBand.h"
 #include "roomgraph/align/WallMap.h"
 #include "roomgraph/geometry/Transform2D.h"
 
@@ -38,9 +37,6 @@ struct FollowedWalls {
 /** So far from the middle of a patch its pose tells where things are, and so far round a place its
  *  surroundings tell where it is [m]. */
 constexpr double kPatchReach = 6;
-
-/** Around a wall, of what counts in the fit of a patch. */
-constexpr NarrowingBand kPatchBand{0.8, 0.25, 4};
 
 /** Walls are followed up to so far away from where the first pose has them [m]. */
 constexpr double kMaxBend = 60;
