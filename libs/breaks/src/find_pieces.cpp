@@ -219,11 +219,9 @@ std::vector<std::vector<std::size_t>> rigidPieces(const WallPatches& patches,
   std::vector<double> walls(found.size());
   for (std::size_t i = 0; i < found.size(); ++i) walls[sets.find(i)] += found[i].walls;
   const auto wallsOf = [&](const std::vector<std::size_t>& piece) {
-    return piece.empty() ? 0 : walls[piece.front()];  // a set is known by its first member
+    return walls[piece.front()];  // a set is known by its first member
   };
-  eraseIf(pieces, [&](const auto& piece) {
-    return piece.empty() || wallsOf(piece) < fitted::kLeastPiece * all;
-  });
+  eraseIf(pieces, [&](const auto& piece) { return wallsOf(piece) < fitted::kLeastPiece * all; });
   sortDownBy(pieces, wallsOf);
   return pieces;
 }

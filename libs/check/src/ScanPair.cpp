@@ -15,10 +15,9 @@ std::vector<std::vector<ScanPair>> PathOfRun::grouped(const std::vector<ScanPair
   for (std::uint32_t i = 0; i < pairs.size(); ++i)
     for (std::uint32_t j = 0; j < i; ++j)
       if (areBeside(pairs[i], pairs[j])) joined.join(i, j);
-  std::vector<std::vector<ScanPair>> groups;
-  for (const std::vector<std::size_t>& set : joined.sets())
-    if (!set.empty()) groups.push_back(mapped(set, [&](std::size_t i) { return pairs[i]; }));
-  return groups;
+  return mapped(joined.sets(), [&](const std::vector<std::size_t>& set) {
+    return mapped(set, [&](std::size_t i) { return pairs[i]; });
+  });
 }
 
 DrawnStretch stretchOf(const Run& run, const std::vector<ScanPair>& pairs,

@@ -68,7 +68,6 @@ std::vector<std::vector<std::size_t>> sitesIn(const MapPairs& related, const Joi
   for (const auto& [a, b] : related.pairs())
     if (areJoined(a, b)) confidence[sets.find(a)] += related(a, b).alignment.confidence;
   const auto rank = [&](const std::vector<std::size_t>& site) {
-    if (site.empty()) return std::make_tuple(false, std::size_t(0), 0.0);
     const bool hasReference = reference && sets.find(*reference) == site.front();
     return std::make_tuple(hasReference, site.size(), confidence[site.front()]);
   };

@@ -26,10 +26,11 @@ class UnionFind {
     return a < b;
   }
 
-  /** The members of each group in ascending order, at its smallest one. */
+  /** The members of each group in ascending order; the groups by their smallest ones. */
   std::vector<std::vector<std::size_t>> sets() {
     std::vector<std::vector<std::size_t>> sets(parent_.size());
     for (std::size_t i = 0; i < sets.size(); ++i) sets[find(i)].push_back(i);
+    sets.erase(std::remove(sets.begin(), sets.end(), std::vector<std::size_t>()), sets.end());
     return sets;
   }
 
