@@ -35,6 +35,12 @@ TEST(Polygon, holesTakeFromTheArea) {
   EXPECT_DOUBLE_EQ(area(polygon), 100 - 4 - 9);
 }
 
+TEST(Polygon, aMotionMovesAllRings) {
+  const Polygon moved = movedBy({square(0, 0, 4), {square(1, 1, 1)}}, Transform2D{5, -2, 0});
+  EXPECT_EQ(moved.outer, square(5, -2, 4));
+  EXPECT_EQ(moved.holes, std::vector<Ring>{square(6, -1, 1)});
+}
+
 TEST(Polygon, centroidWeighsTheHoles) {
   const Polygon whole{square(0, 0, 4), {}};
   EXPECT_NEAR(distance(centroid(whole), {2, 2}), 0, 1e-12);

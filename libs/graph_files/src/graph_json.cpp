@@ -57,11 +57,9 @@ std::string edgeText(const TopologyGraph& graph, std::size_t id, const Edge& edg
   return withMember(lineOf(json), "path", pointsText(edge.path.points));
 }
 
-Polygon roundedPolygon(Polygon polygon) {
-  forEachRing(polygon, [](Ring& ring) {
-    for (Point& p : ring) p = rounded(p);
-  });
-  return polygon;
+/** As the file has it. */
+double roundedArea(const Polygon& polygon) {
+  return rounded(area(movedBy(polygon, [](Point p) { return rounded(p); })));
 }
 
 /** The object's text with the members "polygon" and "holes" at its end. */
@@ -76,7 +74,7 @@ std::string roomText(std::size_t id, const GraphRoom& room) {
   const Json json{{"id", id},
                   {"vertex", idOrNull(room.vertex)},
                   {"center", pointJson(room.center)},
-                  {"area", rounded(area(roundedPolygon(polygon)))},
+                  {"area", roundedArea(polygon)},
                   {"inscribed_radius", rounded(room.shape.inscribedRadius)},
                   {"widest_place", pointJson(room.shape.widestPlace)},
                   {"border_vertices", mapped(room.borderVertices, &VertexId::index)}};
@@ -87,7 +85,7 @@ std::string areaText(const std::vector<std::string>& names, std::size_t id, cons
   Json json{{"id", id},
             {"kind", area.isRoom() ? "room" : "corridor"},
             {"room", idOrNull(area.room)},
-            {"area", rounded(roomgraph::area(roundedPolygon(area.polygon)))},
+            {"area", roundedArea(area.polygon)},
             {"inscribed_radius", rounded(area.inscribedRadius)},
             {"seen", area.seen ? Json(rounded(*area.seen)) : Json()},
             {"widest_place", pointJson(area.widestPlace)},

@@ -28,14 +28,6 @@ Transform2D realPose(const Polygon& polygon, const GridFrame& frame, const RealP
   return fit.motion();
 }
 
-Polygon moved(Polygon polygon, const Transform2D& pose) {
-  const Motion2D motion(pose);
-  forEachRing(polygon, [&](Ring& ring) {
-    for (Point& p : ring) p = motion(p);
-  });
-  return polygon;
-}
-
 /** The areas of a run, each where it really lies. */
 struct LaidDown {
   std::vector<Transform2D> poses;  // site <- run
@@ -44,7 +36,7 @@ struct LaidDown {
   LaidDown(const Run& run, const RealPlaces& places) {
     for (const Area& area : run.areas.areas) {
       poses.push_back(realPose(area.polygon, run.map.frame, places));
-      polygons.push_back(moved(area.polygon, poses.back()));
+      polygons.push_back(movedBy(area.polygon, Motion2D(poses.back())));
     }
   }
 };

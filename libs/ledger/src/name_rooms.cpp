@@ -42,9 +42,7 @@ std::vector<SiteRoom> roomsOf(const AreaGraph& graph) {
 SiteRoom moved(SiteRoom room, const Transform2D& pose) {
   const Motion2D motion(pose);
   room.center = motion(room.center);
-  forEachRing(room.polygon, [&](Ring& ring) {
-    for (Point& p : ring) p = motion(p);
-  });
+  room.polygon = movedBy(std::move(room.polygon), motion);
   for (SiteDoor& door : room.doors) door.place = motion(door.place);
   return room;
 }

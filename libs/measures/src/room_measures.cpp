@@ -1,5 +1,7 @@
 #include "room_measures.h"
 
+#include <utility>
+
 #include "roomgraph/measures/match_elements.h"
 #include "run_measures.h"
 
@@ -10,9 +12,7 @@ std::vector<GraphRoom> roomsInSite(const Run& run, const Transform2D& pose) {
   std::vector<GraphRoom> rooms = run.rooms;
   for (GraphRoom& room : rooms) {
     room.center = pose(room.center);
-    forEachRing(room.shape.polygon, [&](Ring& ring) {
-      for (Point& p : ring) p = pose(p);
-    });
+    room.shape.polygon = movedBy(std::move(room.shape.polygon), pose);
   }
   return rooms;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <utility>
 
 #include "roomgraph/base/sequences.h"
 #include "roomgraph/drawing/run_marks.h"
@@ -48,20 +47,12 @@ std::vector<double> crossings(const Polygon& polygon, double y) {
   return xs;
 }
 
-/** The same polygon with x and y exchanged. */
-Polygon exchangeAxes(Polygon polygon) {
-  forEachRing(polygon, [](Ring& ring) {
-    for (Point& p : ring) std::swap(p.x, p.y);
-  });
-  return polygon;
-}
-
 /** A place with much room on all sides: of the middles of some horizontal lines in the room, moved
  *  to the middle of the vertical line through them, the one whose shorter line is longest. */
 Point labelPlace(const SiteRoom& room) {
   if (room.polygon.outer.size() < 3) return room.center;
   const Box box = boundingBox(room.polygon.outer);
-  const Polygon across = exchangeAxes(room.polygon);
+  const Polygon across = movedBy(room.polygon, [](Point p) { return Point{p.y, p.x}; });
   Point best = room.center;
   double most = 0;
   constexpr int rows = 31;

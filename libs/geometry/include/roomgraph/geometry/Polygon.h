@@ -25,6 +25,15 @@ void forEachRing(SomePolygon& polygon, const Visit& visit) {
   for (auto& hole : polygon.holes) visit(hole);
 }
 
+/** The polygon with `move(p)` in the place of each of its points. */
+template <class Move>
+[[nodiscard]] Polygon movedBy(Polygon polygon, const Move& move) {
+  forEachRing(polygon, [&](Ring& ring) {
+    for (Point& p : ring) p = move(p);
+  });
+  return polygon;
+}
+
 /** Calls `visit(a, b)` for each two points that follow each other on a ring, also for the last and
  *  the first. In the order of the rings. */
 template <class Visit>
