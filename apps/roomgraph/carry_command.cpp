@@ -120,8 +120,7 @@ void checkFiles(const CarryArguments& arguments, const std::vector<MarkedFile>& 
 
 int run(const CarryArguments& given) {
   const CarryArguments arguments = withFiles(given);
-  std::vector<MarkedFile> files;
-  for (const std::string& thing : arguments.things) files.push_back(readMarked(thing));
+  const std::vector<MarkedFile> files = mapped(arguments.things, readMarked);
   checkFiles(arguments, files);
   const ResultFolder folder(arguments.site.folder);
   const auto runs = solveBoth(arguments);

@@ -83,9 +83,7 @@ std::vector<std::size_t> chooseRecord(const std::vector<HistoryRun>& runs, std::
     if (trustedValueOf(runs[i].figures, kMapError) &&
         valueOf(runs[i].figures, kBreaks).value_or(0) == 0)
       best.push_back(i);
-  const auto errorOf = [&](std::size_t i) { return *trustedValueOf(runs[i].figures, kMapError); };
-  std::stable_sort(best.begin(), best.end(),
-                   [&](std::size_t l, std::size_t r) { return errorOf(l) < errorOf(r); });
+  sortBy(best, [&](std::size_t i) { return *trustedValueOf(runs[i].figures, kMapError); });
   std::vector<std::size_t> chosen;
   std::vector<bool> isAsked(runs.size());
   const auto fill = [&](const std::vector<std::size_t>& candidates, std::size_t upTo) {

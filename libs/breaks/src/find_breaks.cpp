@@ -113,8 +113,7 @@ std::vector<ScanBreak> findBreaks(const std::vector<ScanWalls>& scans, const Sca
   const BreakFinder finder(scans, track, options);
   std::vector<ScanBreak> breaks = finder.sharp();
   for (const ScanBreak& wide : finder.wide()) addUnlessKnown(wide, breaks);
-  std::sort(breaks.begin(), breaks.end(),
-            [](const ScanBreak& l, const ScanBreak& r) { return l.scan < r.scan; });
+  sortBy(breaks, &ScanBreak::scan);
   return breaks;
 }
 

@@ -42,10 +42,8 @@ std::vector<Names> setsOf(const std::vector<ComparedPair>& pairs, const IsJoined
 }  // namespace
 
 std::optional<double> ComparedRun::partialCoverage() const {
-  const Measure* coverage = find(measures, "coverage");
-  const bool isPartial =
-      coverage && coverage->isMeaningful && coverage->value.value_or(1) < kNearlyAll;
-  return isPartial ? coverage->value : std::nullopt;
+  const auto coverage = trustedValueOf(measures, "coverage");
+  return coverage.value_or(1) < kNearlyAll ? coverage : std::nullopt;
 }
 
 std::string ComparedRun::unconfirmedFault() const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "map_measures.h"
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/measures/Measure.h"
 
 namespace roomgraph {
@@ -162,9 +163,7 @@ const MeasureKind* findMeasureKind(const std::string& name) {
 }
 
 const Measure* find(const std::vector<Measure>& measures, const std::string& name) {
-  const auto found = std::find_if(measures.begin(), measures.end(),
-                                  [&](const Measure& measure) { return measure.name == name; });
-  return found == measures.end() ? nullptr : &*found;
+  return findIf(measures, [&](const Measure& measure) { return measure.name == name; });
 }
 
 std::optional<double> valueOf(const std::vector<Measure>& measures, const std::string& name) {

@@ -20,8 +20,7 @@ constexpr mrpt::img::TColor kWordColour{15, 15, 20};
 viz::CPointCloud::Ptr cloudOf(const std::vector<Point>& walls, std::size_t run) {
   const Box box = boundingBox(walls);
   const Point middle = midpoint(box.low, box.high);  // MRPT draws in single precision
-  std::vector<Point> places;
-  for (const Point wall : walls) places.push_back(wall - middle);
+  const auto places = mapped(walls, [&](Point wall) { return wall - middle; });
   auto cloud = pointsAt(places, 0, mrptColour(runColour(run)), 3);
   cloud->setName("walls");
   cloud->setLocation(middle.x, middle.y, 0);

@@ -1,6 +1,5 @@
 #include "roomgraph/page/repair_page.h"
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -86,8 +85,7 @@ std::vector<MapBreak> mendedBreaks(const Run& run, const RepairedRun& repaired) 
     tear.keyFrame = run.scans[k].keyFrame;
     if (tear.kind() != BreakClass::slight) breaks.push_back(tear);
   }
-  std::sort(breaks.begin(), breaks.end(),
-            [](const MapBreak& l, const MapBreak& r) { return l.size() > r.size(); });
+  sortDownBy(breaks, &MapBreak::size);
   return breaks;
 }
 

@@ -1,8 +1,7 @@
 #include "roomgraph/topology/join_vertices.h"
 
-#include <algorithm>
-
 #include "roomgraph/base/UnionFind.h"
+#include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
 namespace {
@@ -13,9 +12,7 @@ std::vector<EdgeId> joiningForest(const TopologyGraph& graph, double limit, Unio
   for (std::size_t e = 0; e < graph.edges().size(); ++e)
     if (graph.edges()[e].path.length <= limit && !graph.isDeadEnd(EdgeId(e)))
       shortEdges.push_back(EdgeId(e));
-  std::stable_sort(shortEdges.begin(), shortEdges.end(), [&](EdgeId a, EdgeId b) {
-    return graph.edge(a).path.length < graph.edge(b).path.length;
-  });
+  sortBy(shortEdges, [&](EdgeId e) { return graph.edge(e).path.length; });
   std::vector<EdgeId> forest;
   for (const EdgeId e : shortEdges)
     if (groups.join(graph.edge(e).source.index(), graph.edge(e).target.index()))
