@@ -18,7 +18,8 @@ TEST(Footprint, countsWhatLiesUnderTheRoom) {
   const RunAreas run =
       drawnAreas({"                ", "   ##########   ", "   #AAAA....#   ", "   #AAAA....#   ",
                   "   #AAAA  ..#   ", "   #AAAA  ..#   ", "   ##########   ", "                "});
-  const Footprint print = footprint(room, {}, kFrame, run);
+  LabelCounts buffer;
+  const Footprint print = footprint(room, {}, kFrame, run, buffer);
   EXPECT_EQ(print.samples, double(room.samples.size()));
   ASSERT_EQ(print.in.size(), 1u);
   EXPECT_NEAR(print.in.at(0) / print.samples, 16.0 / 32, 0.05);
@@ -28,7 +29,8 @@ TEST(Footprint, countsWhatLiesUnderTheRoom) {
 
 TEST(Footprint, beyondTheFrameNothingIsKnown) {
   const RunAreas run = drawnAreas(kRoom);
-  const Footprint print = footprint(run.shapes[0], {{100, 0}, 0}, kFrame, run);
+  LabelCounts buffer;
+  const Footprint print = footprint(run.shapes[0], {{100, 0}, 0}, kFrame, run, buffer);
   EXPECT_EQ(print.known, 0);
   EXPECT_TRUE(print.in.empty());
 }

@@ -110,12 +110,6 @@ Footprint footprint(const SiteShape& room, const RoomMove& move, const GridFrame
   return print;
 }
 
-Footprint footprint(const SiteShape& room, const RoomMove& move, const GridFrame& frame,
-                    const RunAreas& run) {
-  LabelCounts buffer;
-  return footprint(room, move, frame, run, buffer);
-}
-
 std::map<std::size_t, ShapeFit> fitShape(const SiteShape& room, const GridFrame& frame,
                                          const RunAreas& run, const std::vector<RoomMove>& starts,
                                          const ShapeSearch& how) {

@@ -41,8 +41,6 @@ struct LabelCounts {
 
 Footprint footprint(const SiteShape& room, const RoomMove& move, const GridFrame& frame,
                     const RunAreas& run, LabelCounts& buffer);
-Footprint footprint(const SiteShape& room, const RoomMove& move, const GridFrame& frame,
-                    const RunAreas& run);
 
 struct ShapeFit {
   RoomMove move;

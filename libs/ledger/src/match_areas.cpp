@@ -144,7 +144,7 @@ class Matching {
     } else {
       match.move = guessOf(s);
     }
-    const Footprint print = footprint(rooms_.shapes[s], match.move, frame_, run_);
+    const Footprint print = footprint(rooms_.shapes[s], match.move, frame_, run_, buffer_);
     if (print.samples == 0) return;
     match.known = print.known / print.samples;
     match.free = print.free / print.samples;
@@ -154,7 +154,7 @@ class Matching {
 
   void addPieces(std::size_t s) {
     AreaMatch& match = matches_[s];
-    const Footprint print = footprint(rooms_.shapes[s], match.move, frame_, run_);
+    const Footprint print = footprint(rooms_.shapes[s], match.move, frame_, run_, buffer_);
     std::vector<std::pair<double, std::size_t>> pieces;  // -size, area
     double together = 0;
     for (const auto& [area, count] : print.in)
@@ -175,7 +175,7 @@ class Matching {
     std::map<std::size_t, std::vector<std::size_t>> held;  // rooms by area
     for (std::size_t s = 0; s < matches_.size(); ++s) {
       if (matches_[s].isMatched()) continue;
-      const Footprint print = footprint(rooms_.shapes[s], matches_[s].move, frame_, run_);
+      const Footprint print = footprint(rooms_.shapes[s], matches_[s].move, frame_, run_, buffer_);
       for (const auto& [area, count] : print.in)
         if (print.known >= 0.5 * print.samples && count >= fitted::kMinInside * print.known)
           held[area].push_back(s);
@@ -202,6 +202,7 @@ class Matching {
   std::vector<std::optional<std::size_t>> areaOf_;
   std::vector<bool> isTaken_;
   std::vector<AreaMatch> matches_;
+  LabelCounts buffer_;
 };
 
 }  // namespace
