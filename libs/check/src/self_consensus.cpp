@@ -13,20 +13,15 @@
 namespace roomgraph {
 namespace {
 
-/** Whether something speaks against a step, so that walls which turn there are turned wrongly.
- *  Where nothing does they are those of a wing, however little the scans say. */
-bool isDoubtful(StepEvidence evidence) {
-  return evidence == StepEvidence::contradicts || evidence == StepEvidence::lost;
-}
-
-/** The run at other poses than it has. */
+/** The run at other poses than it has. Where something speaks against a step, walls that turn there
+ *  are turned wrongly; where nothing does they are a wing's, however little the scans say. */
 PoseGraph graphAt(const Run& run, const std::vector<Transform2D>& poses,
                   const std::vector<StepEvidence>& evidence, const std::vector<Revisit>& revisits) {
   PoseGraph graph;
   const RunId id = graph.addRun(true);
   for (std::size_t k = 0; k < poses.size(); ++k) {
     const NodeId node = graph.addNode(poses[k], run.scans[k].ends, run.scans[k].axes);
-    if (!evidence.empty()) graph.nodes[node].isDoubtful = isDoubtful(evidence[k]);
+    if (!evidence.empty()) graph.nodes[node].isDoubtful = speaksAgainst(evidence[k]);
     if (k > 0) graph.addLink(NodeId(k - 1), node);
   }
   for (const Revisit& revisit : revisits) graph.addGroup({id, id, {}}, revisit);

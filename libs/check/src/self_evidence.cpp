@@ -15,7 +15,7 @@ Evidence stepsContradicted(const MendedSteps& mended) {
   double wrong = 0;
   for (const StepEvidence step : mended.evidence) {
     row.support += step != StepEvidence::none;
-    wrong += step == StepEvidence::contradicts || step == StepEvidence::lost;
+    wrong += speaksAgainst(step);
   }
   if (row.support > 0) row.drawn = wrong / row.support;
   return row;

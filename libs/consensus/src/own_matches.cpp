@@ -14,10 +14,6 @@
 namespace roomgraph {
 namespace {
 
-bool isWrong(StepEvidence step) {
-  return step == StepEvidence::contradicts || step == StepEvidence::lost;
-}
-
 /** Whether the step to a scan is broken. Where one step after the other is wrong, the robot was in
  *  a lift, or its scanner covered. */
 bool isBroken(const std::vector<StepEvidence>& steps, std::size_t k) {
@@ -25,7 +21,7 @@ bool isBroken(const std::vector<StepEvidence>& steps, std::size_t k) {
   constexpr auto kNear = std::size_t(fitted::kLeastLostOnEnd);
   const auto first = steps.begin() + std::ptrdiff_t(k - std::min(k, kNear - 1));
   const auto end = steps.begin() + std::ptrdiff_t(std::min(steps.size(), k + kNear));
-  return std::count_if(first, end, isWrong) == 1;
+  return std::count_if(first, end, speaksAgainst) == 1;
 }
 
 /** The scans from `k` on, as they lie in the one before it. */
@@ -34,7 +30,7 @@ FoundGroup foundBehind(const IdRange<NodeId>& nodes, RunId id, const MendedSteps
   FoundGroup found{{id, id, {}}, {}};
   const std::size_t end = std::min(nodes.size(), k + fitted::kLongScans);
   for (std::size_t i = k; i < end; ++i) {
-    if (i > k && isWrong(mended.evidence[i])) break;
+    if (i > k && speaksAgainst(mended.evidence[i])) break;
     const Transform2D measured = mended.poses[k - 1].inverse() * mended.poses[i];
     found.matches.push_back(matchEdge(nodes[k - 1], nodes[i], measured, 1));
   }

@@ -17,6 +17,10 @@ enum class StepEvidence {
   lost          ///< it does not fit where it was drawn, and elsewhere in no place or in several
 };
 
+inline bool speaksAgainst(StepEvidence evidence) {
+  return evidence == StepEvidence::contradicts || evidence == StepEvidence::lost;
+}
+
 /** A run whose steps are as its own scans have them. */
 struct MendedSteps {
   std::vector<Transform2D> poses;      ///< of each scan; as drawn up to the first contradiction
