@@ -63,7 +63,7 @@ void addFaults(const Run& run, const std::vector<LocalScan>& scans, const Mended
   std::vector<std::size_t> broken;
   for (std::size_t k = 1; k < run.scans.size(); ++k) {
     const MapBreak step = breakAt(k, run, drawn, agreed.poses);
-    if (std::abs(step.rotation) < kClearRotation && step.shift < kBreakShift) continue;
+    if (step.kind() == BreakClass::slight) continue;
     broken.push_back(k);
     if (mended.evidence[k] != StepEvidence::agrees || !witness.refutes(k, stepTo(k, agreed.poses)))
       check.breaks.push_back(step);
