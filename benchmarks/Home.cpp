@@ -1,6 +1,5 @@
 #include "Home.h"
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <map>
 #include <string>
-#include <vector>
 
 #include "floor_plans.h"
 #include "roomgraph/pipeline/extract.h"

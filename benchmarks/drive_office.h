@@ -2,7 +2,6 @@
 #include <mrpt/maps/CSimpleMap.h>
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "drift.h"

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <set>
 
-#include "commands.h"
 #include "output_names.h"
 #include "roomgraph/archive/record_files.h"
 #include "roomgraph/base/Error.h"

@@ -1,7 +1,6 @@
 #include "comparison_results.h"
 
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "commands.h"

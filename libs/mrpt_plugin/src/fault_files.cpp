@@ -4,7 +4,6 @@
 #include <iterator>
 
 #include "object_bytes.h"
-#include "roomgraph/mrpt_plugin/colours.h"
 #include "roomgraph/mrpt_plugin/draw_comparison.h"
 #include "roomgraph/mrpt_plugin/draw_graph.h"
 #include "roomgraph/mrpt_plugin/mrpt_files.h"
