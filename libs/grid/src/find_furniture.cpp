@@ -2,25 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <unordered_map>
 
 #include "roomgraph/base/sequences.h"
 #include "roomgraph/geometry/Polygon.h"
+#include "wall_ahead.h"
 
 namespace roomgraph {
 namespace {
 
 /** Of the size of the largest clutter: how wide furniture is, from what is thicker than a wall to a
- *  table; how much space it has round it, which is the width of a robot; and how wide a gap between
- *  two pieces of one wall may be, which is that of a wide door. */
-constexpr double kThinnest = 0.25, kWidest = 2, kApart = 0.4, kWidestGap = 1.5;
+ *  table; and how much space it has round it, which is the width of a robot. */
+constexpr double kThinnest = 0.25, kWidest = 2, kApart = 0.4;
 /** Of its convex hull, and with what beams have missed of it. */
 constexpr double kSolid = 0.75;
 /** A cell with fewer of its neighbours and itself is a speck. */
 constexpr int kMostOfNine = 5;
-/** A wall is so much thicker or thinner than a pier in it at most. */
-constexpr double kThicker = 1.5, kThinner = 2;
 
 class FurnitureFinder {
  public:
@@ -38,8 +35,6 @@ class FurnitureFinder {
 
  private:
   double cells(double share) const { return share * maxSize_ / grid_.frame.resolution; }
-
-  bool isSolid(Point place) const { return grid_.atOrUnknown(cellAt(place)) != State::free; }
 
   /** Whether it only sticks to what it belongs to. */
   bool isSpeck(Cell cell) const {
@@ -115,33 +110,12 @@ class FurnitureFinder {
       const Point end = group.middle() + (std::floor(length / 2) + 0.25) * along;
       for (const double side : {-1.0, 1.0}) {
         const Point start = end + side * (std::floor(width / 4) + 0.25) * toLeft(along);
-        const std::optional<Point> wall = acrossGap(start, along);
-        if (wall && goesOn(*wall, along, width)) found.push_back(grid_.frame.index(cellAt(*wall)));
+        const auto wall = acrossGap(grid_, start, along, cells(kWidestGap));
+        if (wall && wallGoesOn(grid_, *wall, along, width))
+          found.push_back(grid_.frame.index(cellAt(*wall)));
       }
     }
     return found;
-  }
-
-  /** From the end of a group into what is solid behind the gap beside it. */
-  std::optional<Point> acrossGap(Point place, Point step) const {
-    const auto isInside = [&] { return grid_.frame.contains(cellAt(place)); };
-    while (isInside() && isSolid(place)) place = place + step;
-    for (int gap = 0; isInside() && gap <= cells(kWidestGap); ++gap, place = place + step)
-      if (isSolid(place)) return place + step;
-    return std::nullopt;
-  }
-
-  /** Whether a wall about as thick goes on from a place for its thickness at least [cells]. */
-  bool goesOn(Point place, Point step, double thickness) const {
-    if (!grid_.frame.contains(cellAt(place)) || !isSolid(place)) return false;
-    const int most = int(std::max(kThicker * thickness, thickness + 2));
-    const auto run = [&](Point way, int longest) {
-      int count = 0;
-      while (count < longest && isSolid(place + double(count + 1) * way)) ++count;
-      return count;
-    };
-    const int across = 1 + run(toLeft(step), most) + run(-1 * toLeft(step), most);
-    return across <= most && thickness <= kThinner * (across + 1) && 1 + run(step, most) >= across;
   }
 
   const Grid& grid_;
