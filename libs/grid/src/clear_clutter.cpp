@@ -7,6 +7,7 @@
 
 #include "ClutterGroup.h"
 #include "find_furniture.h"
+#include "find_leaves.h"
 #include "roomgraph/base/sequences.h"
 #include "roomgraph/geometry/Transform2D.h"
 
@@ -41,7 +42,7 @@ class ClutterFinder {
 
   /** Frees the groups of these cells that are clutter, and tells about them: first what is small,
    *  then all tables among what is left, so that the order of the cells does not matter. What is
-   *  furniture then stays. */
+   *  furniture, or the leaf of a door, stays. */
   void clear(const std::vector<Cell>& obstacles) {
     std::vector<ClutterGroup> found;
     for (const Cell cell : obstacles) {
@@ -68,8 +69,10 @@ class ClutterFinder {
             {midpoint(frame.center(group.box.low), frame.center(group.box.high)),
              frame.resolution * group.size});
     }
+    std::vector<Cell>& furniture = cleared_.furniture;
+    furniture = findLeaves(obstacles, grid_, maxSize_);
     for (const ClutterGroup& group : furnitureAmong(std::move(larger), grid_, maxSize_))
-      cleared_.furniture.insert(cleared_.furniture.end(), group.cells.begin(), group.cells.end());
+      furniture.insert(furniture.end(), group.cells.begin(), group.cells.end());
   }
 
  private:
@@ -249,8 +252,9 @@ void describe(ClearClutterOptions& options, FieldTable& table) {
       "clear_clutter", "max_size", options.maxSize, "m", 0, 10,
       "Free-standing obstacles up to this size do not split rooms; nor do compact ones up to twice "
       "this size with walls near on most sides, such as tables, nor solid ones up to twice as wide "
-      "and five times as long with space all round, such as shelves. An obstacle in line with "
-      "walls, such as the pier between two doors, counts as wall. 0 keeps all obstacles.");
+      "and five times as long with space all round, such as shelves, nor leaves of open doors up "
+      "to this length. An obstacle in line with walls, such as the pier between two doors, counts "
+      "as wall. 0 keeps all obstacles.");
 }
 
 ClearedMap clearClutter(const Grid& grid, const ObstacleCells& obstacles,

@@ -7,7 +7,7 @@ namespace roomgraph {
 
 // In:   Grid, a place in what stands in it, a way
 // Out:  the wall that it is in line with
-// Next: furnitureAmong
+// Next: furnitureAmong, findLeaves
 
 /** Of the size of the largest clutter: how wide a gap between two pieces of one wall may be, which
  *  is that of a wide door. */

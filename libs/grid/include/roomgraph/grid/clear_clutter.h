@@ -45,7 +45,9 @@ struct ClearedMap {
  *
  *  Of what is left, furniture is what is solid, at most five times as long as the limit, between a
  *  quarter of it and twice it wide, with space for a robot all round, and not in line with a wall
- *  that goes on behind a gap no wider than a door: a shelf, a counter, a bench, a row of seats. */
+ *  that goes on behind a gap no wider than a door: a shelf, a counter, a bench, a row of seats. So
+ *  are leaves of doors that stand open: thin, at most as long as the limit, hung at a wall beside a
+ *  doorway about as wide. */
 [[nodiscard]] ClearedMap clearClutter(const Grid& grid, const ObstacleCells& obstacles,
                                       const ClearClutterOptions& options);
 
