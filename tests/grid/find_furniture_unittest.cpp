@@ -56,6 +56,17 @@ TEST(FindFurniture, specksThatStickToAShelfDoNotMatter) {
   EXPECT_NEAR(double(cleared(grid).furniture.size()) * 0.05 * 0.05, 2.4, 0.2);
 }
 
+TEST(FindFurniture, piecesThatOnlyASpeckJoinsAreOneAlongEitherAxis) {
+  for (const double angle : {0.0, M_PI / 2}) {
+    const Point off = turned({0, 0.35}, angle);
+    EXPECT_NEAR(furnitureIn({{Point{6, 4.5} + off, 1, 0.6, angle},
+                             {Point{6, 4.5} - off, 1, 0.6, angle},
+                             {{6.025, 4.525}, 0.04, 0.2, angle}}),
+                1.2, 0.1)
+        << angle;
+  }
+}
+
 TEST(FindFurniture, whatIsThinLongOrNearIsNone) {
   EXPECT_EQ(furnitureIn({{{6, 4.5}, 3, 0.2}}), 0) << "a partition";
   EXPECT_EQ(furnitureIn({{{6, 4.5}, 6.5, 0.8}}), 0) << "longer than furniture";

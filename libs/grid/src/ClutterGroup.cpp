@@ -12,7 +12,7 @@ namespace roomgraph {
 
 namespace {
 
-/** The first and the last cell of each row. */
+/** The first and the last cell of each row, the other way round where it has none. */
 std::vector<std::pair<int, int>> rowsOf(const ClutterGroup& group) {
   std::vector<std::pair<int, int>> rows(std::size_t(group.box.height()), {INT_MAX, INT_MIN});
   for (const Cell cell : group.cells) {
@@ -39,8 +39,9 @@ std::vector<Point> cornersOf(const ClutterGroup& group) {
   std::vector<Point> corners;
   double y = group.box.low.y;
   for (const auto& [left, right] : rowsOf(group)) {
-    for (const double x : {left - 0.5, right + 0.5})
-      for (const double side : {-0.5, 0.5}) corners.push_back({x, y + side});
+    if (left <= right)
+      for (const double x : {left - 0.5, right + 0.5})
+        for (const double side : {-0.5, 0.5}) corners.push_back({x, y + side});
     ++y;
   }
   return corners;
@@ -49,7 +50,11 @@ std::vector<Point> cornersOf(const ClutterGroup& group) {
 Point directionOf(const ClutterGroup& group) {
   PointSums sums;
   for (const Cell cell : group.cells) sums.add({double(cell.x), double(cell.y)});
-  return turned({1, 0}, principalAxis(sums).direction);
+  const Point way = turned({1, 0}, principalAxis(sums).direction);
+  const auto rounded = [](double part) {
+    return std::ldexp(std::round(std::ldexp(part, 30)), -30);
+  };
+  return {rounded(way.x), rounded(way.y)};
 }
 
 double widthAcross(const ClutterGroup& group, Point direction) {

@@ -34,7 +34,8 @@ double sizeOf(const ClutterGroup& group);
 /** The corners of its cells that may lie on its convex hull [cells]. */
 std::vector<Point> cornersOf(const ClutterGroup& group);
 
-/** The direction in which a group is longest. */
+/** The direction in which a group is longest, to some 1e-9: so what lies along the rows or columns
+ *  does so exactly, however the map is turned. */
 Point directionOf(const ClutterGroup& group);
 
 /** How wide a group is across a direction [cells]. */
