@@ -1,12 +1,15 @@
-// Rooms stay rooms when their map is turned against its cells.
+// Rooms stay rooms when their map is turned against its cells; turned by quarters or mirrored, its
+// graph is the same to the last vertex.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "MapText.h"
+#include "Pose.h"
 #include "random_maps.h"
 #include "roomgraph/geometry/Transform2D.h"
 #include "roomgraph/pipeline/extract.h"
+#include "same_graph.h"
 
 namespace roomgraph::test {
 namespace {
@@ -32,6 +35,21 @@ TEST(Turned, roomsBetweenTwoCorridorsStayRooms) {
         map.cells[std::size_t(y * kSide + x)] =
             isFreeBetweenCorridors(back({kCell * (x + 0.5), kCell * (y + 0.5)})) ? '.' : '#';
     EXPECT_EQ(extract(greyMap(map), {}).result.rooms.size(), 4u) << degrees;
+  }
+}
+
+/** Ragged walls and specks, so that much is as wide, as long or as large as something else. */
+TEST(Turned, byQuartersOrMirroredAndShiftedRaggedMapsHaveTheSameGraph) {
+  for (std::uint32_t seed = 1; seed <= 12; ++seed) {
+    const MapText map = noisyOffice(seed, 300);
+    const RoomGraph reference = extract(greyMap(map), {}).result;
+    for (Pose pose : symmetries()) {
+      pose.shift = {-17.31, 1234.567};
+      const RoomGraph found = extract(greyMap(posed(map, pose)), {}).result;
+      const auto there = [&](Point p) { return posed(p, map, pose); };
+      EXPECT_EQ(differenceOfGraphs(reference, found, there, 1e-6), "")
+          << "seed " << seed << ", " << nameOf(pose);
+    }
   }
 }
 

@@ -47,6 +47,14 @@ double RegionGroups::elongation(std::uint32_t region) const {
   return area_[region] / (side * side);
 }
 
+std::uint32_t RegionGroups::larger(std::uint32_t a, std::uint32_t b) const {
+  const auto rank = [&](std::uint32_t region) {
+    return std::tuple(float(area(region)), float(radius(region)), float(wallShare(region)),
+                      float(meanWidth(region)));
+  };
+  return rank(a) < rank(b) ? b : a;
+}
+
 bool RegionGroups::isLong(std::uint32_t region) const {
   return elongation(region) > options_.maxElongation &&
          2 * radius(region) <= options_.maxCorridorWidth;
@@ -58,7 +66,7 @@ bool RegionGroups::isNarrow(std::uint32_t region) const {
 
 bool RegionGroups::isFacing(const VoronoiEdge& edge) const {
   return distance(voronoi_.obstacles[edge.left], voronoi_.obstacles[edge.right]) >=
-         kFacing * 2 * edge.minClearance;
+         kFacing * 2 * edge.minClearance * (1 - kSameWidth);
 }
 
 Point RegionGroups::across(const VoronoiEdge& edge) const {
@@ -110,7 +118,7 @@ void RegionGroups::findOpeningsOffCorridors(const Grid& grid) {
 
 bool RegionGroups::isOpeningInWall(const VoronoiEdge& edge, const Grid& grid,
                                    WallTest& isIn) const {
-  if (clearance(edge) >= options_.corridorDoor / 2) return false;
+  if (clearance(edge) >= options_.corridorDoor / 2 * (1 - kSameWidth)) return false;
   const Point left = voronoi_.obstacles[edge.left], right = voronoi_.obstacles[edge.right];
   return isFacing(edge) && isIn(grid, left, right);
 }
@@ -173,7 +181,7 @@ RegionGroups::AllNeighbours RegionGroups::neighbours() {
 bool isDoor(const RegionGroups& regions, double clearance, std::uint32_t a, std::uint32_t b,
             double maxRatio, double maxWidth) {
   const double narrower = std::min(regions.radius(a), regions.radius(b));
-  return clearance < maxRatio * narrower * (1 - kSameWidth) && clearance < maxWidth / 2;
+  return clearance < std::min(maxRatio * narrower, maxWidth / 2) * (1 - kSameWidth);
 }
 
 }  // namespace roomgraph

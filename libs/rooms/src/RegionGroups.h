@@ -64,6 +64,8 @@ class RegionGroups {
   /** Its area in squares round its largest disc: 1 for a square, large for a corridor. */
   double elongation(std::uint32_t region) const;
 
+  /** Of two that with more area, width or wall, rounded: the map's pose must not decide. */
+  std::uint32_t larger(std::uint32_t a, std::uint32_t b) const;  // after sumWalls()
   /** Whether it is as long and as narrow as a corridor. After sumAreas(). */
   bool isLong(std::uint32_t region) const;
   /** Whether it is too narrow for a room with a way out that is no door. */

@@ -7,6 +7,19 @@
 #include "roomgraph/base/sequences.h"
 
 namespace roomgraph {
+namespace {
+
+constexpr double kTouches = 1e-7;  // of the length of a segment: how far off it a place on it is
+
+/** Whether a place lies on a segment, but for rounding, which must not decide. */
+bool isOn(Point p, Point a, Point b) {
+  const Point along = b - a, off = p - a;
+  const double squared = dot(along, along), place = dot(along, off);
+  return std::abs(cross(along, off)) <= kTouches * squared && place >= -kTouches * squared &&
+         place <= (1 + kTouches) * squared;
+}
+
+}  // namespace
 
 RoomIndex::Bucket RoomIndex::Buckets::at(Point p) const {
   return {std::int64_t(std::floor(p.x / size)), std::int64_t(std::floor(p.y / size))};
@@ -39,8 +52,9 @@ RoomIndex::Rows RoomIndex::makeRows(const Polygon& polygon) {
   rows.first.assign(count + 1, 0);
   const auto forEachTouch = [&](const auto& visit) {
     forEachEdge(polygon, [&](Point a, Point b) {
-      const auto last = rows.rowOf(std::max(a.y, b.y));
-      for (auto row = rows.rowOf(std::min(a.y, b.y)); row <= last; ++row) visit(row, a, b);
+      const double reach = kTouches * distance(a, b);
+      const auto last = rows.rowOf(std::max(a.y, b.y) + reach);
+      for (auto row = rows.rowOf(std::min(a.y, b.y) - reach); row <= last; ++row) visit(row, a, b);
     });
   };
   forEachTouch([&](std::size_t row, Point, Point) { ++rows.first[row + 1]; });
@@ -57,7 +71,7 @@ bool RoomIndex::isInside(const Rows& rows, Point p) {
   const std::size_t row = rows.rowOf(p.y);
   for (auto i = rows.first[row]; i < rows.first[row + 1]; ++i) {
     const auto& [a, b] = rows.edges[i];
-    if (isOnSegment(p, a, b)) return false;
+    if (isOn(p, a, b)) return false;
     if (rayCrosses(p, a, b)) isOdd = !isOdd;
   }
   return isOdd;

@@ -71,11 +71,11 @@ Point throughWall(const Grid& grid, const Opening& opening) {
 }
 
 /** How long it is along an opening behind it, at most so deep, where it is shortest [cells]. */
-int leastLength(const Grid& grid, const Opening& opening, int deepest) {
+double leastLength(const Grid& grid, const Opening& opening, int deepest) {
   const auto& [from, to, width] = opening;
   const Point start = midpoint(from.place, to.place) + throughWall(grid, opening);
-  const double depth = std::min(deepest, freeRun(grid, start, to.inward));
-  int least = std::numeric_limits<int>::max();
+  const double depth = std::min<double>(deepest, freeRun(grid, start, to.inward));
+  double least = std::numeric_limits<double>::max();
   for (const double share : {0.25, 0.5, 0.75}) {
     const Point inside = start + share * depth * to.inward;
     least = std::min(least, 1 + freeRun(grid, inside, to.away) + freeRun(grid, inside, from.away));

@@ -39,8 +39,8 @@ Regions findRooms(const VoronoiGraph& voronoi, const InsideFlags& isInside, doub
   const std::vector<double> areas =
       faceAreas(voronoi, [&](std::uint32_t v) { return groups.find(v); });
   const auto areaOf = [&](std::uint32_t v) { return areas[v]; };
-  return numberRegions(groups, clearInside(voronoi, isInside, minClearance), kindOf, areaOf,
-                       radius);
+  return numberRegions(voronoi, groups, clearInside(voronoi, isInside, minClearance), kindOf,
+                       areaOf, radius);
 }
 
 }  // namespace roomgraph

@@ -36,7 +36,8 @@ double narrower(const RegionGroups::Neighbours& two) {
   return std::min(two[0].second.clearance, two[1].second.clearance);
 }
 
-/** What is left over in the one door between two equal pieces would join both: it goes with one.
+/** What is left over in the one door between two equal pieces would join both: it goes with the
+ *  larger.
  *  Two such ways lead round an island, as a shelf in a hall. */
 void keepDoors(RegionGroups& regions, const std::vector<RegionKind>& kinds) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> frames;
@@ -47,7 +48,8 @@ void keepDoors(RegionGroups& regions, const std::vector<RegionKind>& kinds) {
   };
   eachDoorFrame(regions, kinds, RegionKind::corridor, add);
   for (const auto& [pieces, between] : frames)
-    if (between.size() == 1) regions.join(between.front(), pieces.first);
+    if (between.size() == 1)
+      regions.join(between.front(), regions.larger(pieces.first, pieces.second));
 }
 
 /** A corridor is narrower at doors that open into it: those do not part it. What has no other way
@@ -59,11 +61,13 @@ void joinPieces(RegionGroups& regions, const std::vector<RegionKind>& kinds) {
   for (const auto& [region, around] : all)
     mayBeOne[region] = kinds[region] == RegionKind::corridor &&
                        (around.size() > 1 || !around.front().second.isOffCorridor);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pieces;  // all before any is joined
   for (const auto& [region, around] : all)
     for (const auto& [other, passage] : around)
       if (mayBeOne[region] && mayBeOne[other] && !passage.isFront &&
           !isDoorOfPieces(regions, passage.clearance, region, other))
-        regions.join(region, other);
+        pieces.push_back({region, other});
+  for (const auto& [region, other] : pieces) regions.join(region, other);
 }
 
 /** Narrower than halls are: the wider it is, the longer it has to be. */

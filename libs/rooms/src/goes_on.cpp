@@ -42,10 +42,10 @@ bool isNowhereFree(const Grid& grid, Point start, Point step, int count) {
   return true;
 }
 
-int freeRun(const Grid& grid, Point start, Point step) {
-  int count = 0;
-  while (grid.isFree(start + double(count + 1) * step)) ++count;
-  return count;
+double freeRun(const Grid& grid, Point start, Point step) {
+  double cells = 0;
+  while (grid.isFree(start + (cells + 0.5) * step)) cells += 0.5;
+  return cells;
 }
 
 bool goesOn(const Grid& grid, Point end, Point other) {
@@ -84,10 +84,10 @@ bool isInRoughWall(const Grid& grid, Point from, Point to) {
 
 bool isInLongSide(const Grid& grid, Point from, Point to, double elongation) {
   const Point along = stepOut(grid, to, from), out = toLeft(along), middle = midpoint(from, to);
-  const int depths[] = {freeRun(grid, middle, out), freeRun(grid, middle, -1 * out)};
+  const double depths[] = {freeRun(grid, middle, out), freeRun(grid, middle, -1 * out)};
   for (const int side : {0, 1}) {
-    const Point inside = middle + (side == 0 ? 0.5 : -0.5) * double(depths[side]) * out;
-    const int length = 1 + freeRun(grid, inside, along) + freeRun(grid, inside, -1 * along);
+    const Point inside = middle + (side == 0 ? 0.5 : -0.5) * depths[side] * out;
+    const double length = 1 + freeRun(grid, inside, along) + freeRun(grid, inside, -1 * along);
     if (length > elongation * depths[side] && length > depths[1 - side]) return true;
   }
   return false;

@@ -10,8 +10,9 @@ namespace roomgraph {
 /** Whether none of so many places is free, from the next one on in steps. O(count). */
 bool isNowhereFree(const Grid& grid, Point start, Point step, int count);
 
-/** How many places in a row are free, from the next one on in steps. O(that). */
-int freeRun(const Grid& grid, Point start, Point step);
+/** How many steps [cells] one gets through free space, to half a one: from the border of two cells
+ *  half of them lie on either side. O(that). */
+double freeRun(const Grid& grid, Point start, Point step);
 
 /** Whether wall, or what nobody has seen, goes on beyond `end` in line with an opening that ends
  *  there, for half of the opening's width. O(width in cells). */

@@ -43,7 +43,9 @@ TopologyGraph wideWays(TopologyGraph graph, double minClearance) {
   const std::size_t count = graph.edges().size();
   std::vector<std::size_t> order = numbersFrom(0, count);
   const auto clearance = [&](std::size_t e) { return graph.edges()[e].path.minClearance; };
-  sortDownBy(order, clearance);
+  sortBy(order, [&](std::size_t e) {  // of those as wide the shorter first
+    return std::pair(-float(clearance(e)), float(graph.edges()[e].path.length));
+  });
   UnionFind groups(graph.vertices().size());
   std::vector<bool> keepEdge(count);
   for (const std::size_t e : order) {
@@ -69,7 +71,7 @@ bool tellsMore(const TopologyGraph& graph) {
 
 TopologyGraph innerWays(const TopologyGraph& graph, const std::vector<EdgeId>& edges,
                         double robotWidth, double halfCell) {
-  const double minClearance = robotWidth / 2 + halfCell;
+  const double minClearance = (robotWidth / 2 + halfCell) * (1 - kSameWidth);
   TopologyGraph ways = wideWays(partOf(graph, edges), minClearance);
   ways = removeDeadEndsWhere(
       std::move(ways), [&](const Vertex& tip, const Vertex& base, const Path& path) {

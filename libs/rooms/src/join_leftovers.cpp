@@ -12,7 +12,7 @@ using Neighbours = RegionGroups::Neighbours;
 constexpr double kSameArea = 1e-6;
 
 bool isLeftover(const RegionGroups& regions, std::uint32_t region, const Neighbours& around) {
-  if (regions.area(region) < regions.options().maxLeftoverArea) return true;
+  if (regions.area(region) < regions.options().maxLeftoverArea * (1 - kSameArea)) return true;
   // A door frame is wider than it is deep; the disc in a room leaves at most its corners over. That
   // in a cubicle may reach out of its front.
   const auto isOwnFront = [](const auto& way) { return way.second.isOwnFront; };
@@ -117,7 +117,7 @@ void joinDoorFrames(RegionGroups& regions, std::vector<RegionKind>& kinds) {
   eachDoorFrame(regions, kinds, RegionKind::room,
                 [&](std::uint32_t region, const Neighbours& both) {
                   kinds[region] = RegionKind::room;
-                  regions.join(region, both.front().first);
+                  regions.join(region, regions.larger(both[0].first, both[1].first));
                 });
 }
 

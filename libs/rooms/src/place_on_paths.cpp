@@ -2,32 +2,40 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
+
+#include "roomgraph/topology/VoronoiGraph.h"
 
 namespace roomgraph {
 namespace {
 
-/** Of the points of the paths with at least `minClearance`, but border vertices; the edge is
- *  none where there is none. */
+/** At one of the points of a path [m]. */
+double clearanceAtPoint(const Path& path, std::size_t i) {
+  return distance(path.points[i], path.obstacles[i > 0 ? i - 1 : 0]);
+}
+
+/** Of the points of the paths with at least `minClearance`, but border vertices, the nearest; of
+ *  those as near the widest. The edge is none where there is none. */
 PlaceOnPath nearestPlace(const TopologyGraph& graph, const std::vector<EdgeId>& edges, Point p,
                          double minClearance) {
   PlaceOnPath best;
-  double offset = std::numeric_limits<double>::infinity();
+  std::pair offset(std::numeric_limits<float>::infinity(), 0.0F);
   for (const EdgeId e : edges) {
     double along = 0;
     const Polyline& points = graph.edge(e).path.points;
-    const std::vector<Point>& obstacles = graph.edge(e).path.obstacles;
     const auto isBorder = [&](VertexId v) { return graph.vertex(v).kind == VertexKind::border; };
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (i > 0) along += distance(points[i - 1], points[i]);
       // The end by the path's own length, which may be rounded otherwise than this sum.
       const double here = i + 1 < points.size() ? along : graph.edge(e).path.length;
-      const double clearance = distance(points[i], obstacles[i > 0 ? i - 1 : 0]);
+      const double clearance = clearanceAtPoint(graph.edge(e).path, i);
       const double left = graph.edge(e).path.length - here;
       const bool isRoomEnd = (here < kSamePlace && isBorder(graph.edge(e).source)) ||
                              (left < kSamePlace && isBorder(graph.edge(e).target));
       if (isRoomEnd) continue;
-      if (clearance >= minClearance && distance(points[i], p) < offset)
-        best = {e, here}, offset = distance(points[i], p);
+      const std::pair away(float(distance(points[i], p)), -float(clearance));
+      if (clearance >= minClearance * (1 - kSameWidth) && away < offset)
+        best = {e, here}, offset = away;
     }
   }
   return best;
@@ -37,8 +45,8 @@ double widestOf(const TopologyGraph& graph, const std::vector<EdgeId>& edges) {
   double widest = 0;
   for (const EdgeId e : edges) {
     const Path& path = graph.edge(e).path;
-    for (std::size_t i = 0; i < path.obstacles.size(); ++i)
-      widest = std::max(widest, distance(path.points[i + 1], path.obstacles[i]));
+    for (std::size_t i = 0; i < path.points.size(); ++i)
+      widest = std::max(widest, clearanceAtPoint(path, i));
   }
   return widest;
 }

@@ -35,6 +35,12 @@ class FaceCover {
   struct Offer {
     double width = 0;  // of the opening
     std::uint32_t region = Regions::kNone;
+
+    /** The wider one; of equal ones that of the larger region, which has the smaller number. */
+    bool isBetter(const Offer& other) const {
+      if (width > other.width * (1 + kSameWidth)) return true;
+      return width >= other.width * (1 - kSameWidth) && region < other.region;
+    }
   };
 
   void collectEdges() {
@@ -54,9 +60,10 @@ class FaceCover {
     std::vector<std::uint32_t> faces;  // that have an offer
     const auto offer = [&](const VoronoiEdge& edge, std::uint32_t to, std::uint32_t from) {
       if (!isOpenTo(to, from)) return;
-      const double width = distance(voronoi_.obstacles[edge.left], voronoi_.obstacles[edge.right]);
+      const Offer one{distance(voronoi_.obstacles[edge.left], voronoi_.obstacles[edge.right]),
+                      regionOf_[from]};
       if (best_[to].region == Regions::kNone) faces.push_back(to);
-      if (width > best_[to].width) best_[to] = {width, regionOf_[from]};
+      if (one.isBetter(best_[to])) best_[to] = one;
     };
     for (const VoronoiEdge* edge : edges_) {
       offer(*edge, edge->source, edge->target);

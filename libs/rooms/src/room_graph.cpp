@@ -5,6 +5,7 @@
 #include "roomgraph/base/sequences.h"
 #include "roomgraph/rooms/hall_ways.h"
 #include "roomgraph/rooms/inner_ways.h"
+#include "roomgraph/topology/VoronoiGraph.h"
 #include "straight_ways.h"
 
 namespace roomgraph {
@@ -70,7 +71,7 @@ class RoomBuilder {
   TopologyGraph build(const Room& room, const RoomParts& parts) const {
     TopologyGraph ways = waysOf(room, parts);
     if (options_.straightEdges) return ways;
-    const double widths = options_.robotWidth / 2 + obstacles_.cellSide() / 2;
+    const double widths = (options_.robotWidth / 2 + obstacles_.cellSide() / 2) * (1 - kSameWidth);
     return hallWays(std::move(ways), room, obstacles_, std::max(clearance_, widths));
   }
 

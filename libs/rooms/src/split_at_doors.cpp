@@ -186,7 +186,9 @@ Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
   // A joined region goes by the smallest of its parts, all of which are alike.
   const auto kindOf = [&](std::uint32_t v) { return kinds[v]; };
   const auto areaOf = [&](std::uint32_t v) { return regions.area(v); };
-  const auto numbered = [&] { return numberRegions(regions.groups(), isClear, kindOf, areaOf, 0); };
+  const auto numbered = [&] {
+    return numberRegions(voronoi, regions.groups(), isClear, kindOf, areaOf, 0);
+  };
   Regions found = numbered();
   const std::vector<std::uint8_t> isHall = findHalls(voronoi, found, options);
   if (contains(isHall, 1)) {

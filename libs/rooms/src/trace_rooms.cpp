@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "roomgraph/base/sequences.h"
+
 namespace roomgraph {
 namespace {
 
@@ -125,6 +127,23 @@ class RingTracer {
   std::vector<std::uint32_t> place_;      // of an obstacle in the open ring
 };
 
+/** Finds the widest place of each region; of several as wide that nearest to its middle. */
+void findWidest(const VoronoiGraph& voronoi, const Regions& regions, Rooms& rooms) {
+  const auto middles = mapped(rooms, [](const Room& room) { return centroid(room.polygon); });
+  for (std::uint32_t v = 0; v < regions.regionOf.size(); ++v) {
+    if (regions.regionOf[v] == Regions::kNone) continue;
+    Room& room = rooms[regions.regionOf[v]];
+    const VoronoiVertex& vertex = voronoi.vertices[v];
+    if (vertex.clearance < room.inscribedRadius * (1 - kSameWidth)) continue;
+    const Point middle = middles[regions.regionOf[v]];
+    if (vertex.clearance <= room.inscribedRadius * (1 + kSameWidth) &&
+        distance(vertex.place, middle) >= distance(room.widestPlace, middle))
+      continue;
+    room.inscribedRadius = vertex.clearance;
+    room.widestPlace = vertex.place;
+  }
+}
+
 }  // namespace
 
 Rooms traceRegions(const VoronoiGraph& voronoi, const Regions& regions) {
@@ -132,14 +151,6 @@ Rooms traceRegions(const VoronoiGraph& voronoi, const Regions& regions) {
   for (std::uint32_t r = 0; r < regions.count; ++r) {
     rooms[r].region = r;
     if (!regions.seen.empty()) rooms[r].seen = regions.seen[r];
-  }
-  for (std::uint32_t v = 0; v < regions.regionOf.size(); ++v) {
-    if (regions.regionOf[v] == Regions::kNone) continue;
-    Room& room = rooms[regions.regionOf[v]];
-    const VoronoiVertex& vertex = voronoi.vertices[v];
-    if (vertex.clearance <= room.inscribedRadius) continue;
-    room.inscribedRadius = vertex.clearance;
-    room.widestPlace = vertex.place;
   }
   std::vector<double> outerArea(regions.count);
   RingTracer(voronoi, boundaryEdges(voronoi, regions)).run([&](std::uint32_t room, Ring ring) {
@@ -152,6 +163,7 @@ Rooms traceRegions(const VoronoiGraph& voronoi, const Regions& regions) {
       polygon.holes.push_back(std::move(ring));
     }
   });
+  findWidest(voronoi, regions, rooms);
   return rooms;
 }
 

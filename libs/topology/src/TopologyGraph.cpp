@@ -1,6 +1,7 @@
 #include "roomgraph/topology/TopologyGraph.h"
 
 #include "roomgraph/topology/chains.h"
+#include "vertex_rank.h"
 
 namespace roomgraph {
 namespace {
@@ -87,10 +88,11 @@ TopologyGraph dissolveThrough(TopologyGraph graph) {
     links.push_back({std::uint32_t(edge.source.index()), std::uint32_t(edge.target.index())});
   std::vector<bool> isNode(vertices.size());
   for (std::size_t v = 0; v < vertices.size(); ++v) isNode[v] = !isThrough(graph, VertexId(v));
+  if (vertices.empty()) return graph;
+  const Point middle = middleOf(vertices);
   const Chains chains =
       findChains(vertices.size(), links, isNode, [&](std::uint32_t a, std::uint32_t b) {
-        const Vertex &va = vertices[a], &vb = vertices[b];
-        return va.clearance > vb.clearance || (va.clearance == vb.clearance && va.place < vb.place);
+        return vertexRank(vertices[a], middle) < vertexRank(vertices[b], middle);
       });
   std::vector<Edge> edges;
   for (std::size_t c = 0; c < chains.count(); ++c)

@@ -1,7 +1,10 @@
 #include "roomgraph/topology/join_vertices.h"
 
+#include <utility>
+
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/base/sequences.h"
+#include "vertex_rank.h"
 
 namespace roomgraph {
 namespace {
@@ -20,7 +23,8 @@ std::vector<EdgeId> joiningForest(const TopologyGraph& graph, double limit, Unio
   return forest;
 }
 
-/** For each vertex the one that stands for its group: the nearest to the group's mean. */
+/** For each vertex the one that stands for its group: the nearest to the group's mean; of two that
+ *  are as near, as two always are, that with more space, or nearer to the middle of the graph. */
 std::vector<VertexId> representatives(const TopologyGraph& graph, UnionFind& groups) {
   const auto& vertices = graph.vertices();
   std::vector<Point> sum(vertices.size());
@@ -29,13 +33,16 @@ std::vector<VertexId> representatives(const TopologyGraph& graph, UnionFind& gro
     sum[groups.find(v)] = sum[groups.find(v)] + vertices[v].place;
     ++count[groups.find(v)];
   }
+  const Point middle = middleOf(vertices);
   std::vector<VertexId> best(vertices.size());
-  const auto offset = [&](VertexId v, std::uint32_t group) {
-    return distance(graph.vertex(v).place, (1.0 / count[group]) * sum[group]);
+  const auto key = [&](VertexId v, std::uint32_t group) {
+    const Vertex& vertex = graph.vertex(v);
+    return std::pair(float(distance(vertex.place, (1.0 / count[group]) * sum[group])),
+                     vertexRank(vertex, middle));
   };
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {
     const auto group = groups.find(v);
-    if (!best[group] || offset(VertexId(v), group) < offset(best[group], group))
+    if (!best[group] || key(VertexId(v), group) < key(best[group], group))
       best[group] = VertexId(v);
   }
   for (std::uint32_t v = 0; v < vertices.size(); ++v) best[v] = best[groups.find(v)];

@@ -1,6 +1,8 @@
 #include "roomgraph/topology/topology_graph.h"
 
+#include "roomgraph/base/sequences.h"
 #include "roomgraph/topology/chains.h"
+#include "vertex_rank.h"
 
 namespace roomgraph {
 namespace {
@@ -74,9 +76,11 @@ TopologyGraph topologyGraph(const VoronoiGraph& voronoi, const EdgeIndices& kept
   std::vector<bool> isNode(degrees.size());
   for (std::size_t v = 0; v < degrees.size(); ++v) isNode[v] = degrees[v] != 2;
   const auto vertexOf = [&](std::uint32_t v) { return voronoi.vertices[numbers.oldOf[v]]; };
+  if (degrees.empty()) return {};
+  const Point middle =
+      middleOf(mapped(numbers.oldOf, [&](std::uint32_t v) { return voronoi.vertices[v]; }));
   const auto isWider = [&](std::uint32_t a, std::uint32_t b) {
-    const VoronoiVertex va = vertexOf(a), vb = vertexOf(b);
-    return va.clearance > vb.clearance || (va.clearance == vb.clearance && va.place < vb.place);
+    return vertexRank(vertexOf(a), middle) < vertexRank(vertexOf(b), middle);
   };
   const Chains chains = findChains(degrees.size(), links, isNode, isWider);
   for (const auto v : chains.ringNodes) isNode[v] = true;

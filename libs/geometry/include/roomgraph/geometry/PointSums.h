@@ -12,6 +12,7 @@ struct PointSums {
     ++count, x += p.x, y += p.y;
     xx += p.x * p.x, xy += p.x * p.y, yy += p.y * p.y;
   }
+  [[nodiscard]] Point mean() const { return {x / count, y / count}; }  ///< of one point at least
 };
 
 }  // namespace roomgraph

@@ -28,7 +28,22 @@ struct Grid {
   [[nodiscard]] bool has(State state) const {
     return std::find(cells.begin(), cells.end(), state) != cells.end();
   }
-  [[nodiscard]] bool isFree(Point p) const { return atOrUnknown(frame.cellAt(p)) == State::free; }
+  /** On the border of cells all of them have to be free: rounding must not decide, nor the pose of
+   *  the map. */
+  [[nodiscard]] bool isFree(Point p) const {
+    constexpr double kOnBorder = 1e-6;  // how near to it a place is on it [cells]
+    const double x = (p.x - frame.origin.x) / frame.resolution;
+    const double y = (p.y - frame.origin.y) / frame.resolution;
+    if (!(x >= kOnBorder && y >= kOnBorder && x < frame.width - kOnBorder &&
+          y < frame.height - kOnBorder))
+      return false;
+    const Cell low{int(x - kOnBorder), int(y - kOnBorder)};
+    const Cell high{int(x + kOnBorder), int(y + kOnBorder)};
+    const auto isFreeAt = [&](Cell cell) { return at(cell) == State::free; };
+    if (low.x == high.x && low.y == high.y) return isFreeAt(low);
+    return isFreeAt(low) && isFreeAt(high) && isFreeAt({low.x, high.y}) &&
+           isFreeAt({high.x, low.y});
+  }
 };
 
 }  // namespace roomgraph
