@@ -9,7 +9,6 @@
 #include "HallGraph.h"
 #include "roomgraph/base/sequences.h"
 #include "roomgraph/grid/polygon_cells.h"
-#include "roomgraph/topology/VoronoiGraph.h"
 #include "straight_ways.h"
 
 namespace roomgraph {
@@ -30,7 +29,6 @@ class Hall {
  public:
   Hall(TopologyGraph ways, const Room& room, const ObstacleRows& obstacles, double minClearance)
       : room_(room),
-        middle_(centroid(room.polygon)),
         index_({room}, minClearance),
         obstacles_(obstacles),
         minClearance_(minClearance),
@@ -55,9 +53,8 @@ class Hall {
   /** From each vertex to those from `first` on: what lies between the others is known by then. */
   void closeLoops(std::size_t first) {
     std::vector<Link> links = missingLinks(first);
-    sortBy(links, [&](const Link& link) {
-      return std::pair(float(link.length),
-                       float(distance(midpoint(link.turnA, link.turnB), middle_)));
+    std::sort(links.begin(), links.end(), [](const Link& l, const Link& r) {
+      return std::tie(l.length, l.a, l.b) < std::tie(r.length, r.a, r.b);
     });
     for (const Link& link : links)
       if (isMissing(link.length, ways_.lengthsFrom(link.a, longest(link.length))[link.b.index()]))
@@ -86,13 +83,14 @@ class Hall {
     return links;
   }
 
-  /** Those that a way may be missing to; of two, one has the other at least. Doors all with all; of
-   *  others those with none nearly between them, where one way leads to both. */
+  /** Those that a way may be missing to; of two, one has the other. Doors all with all; of others
+   *  those with none nearly between them, where one way leads to both. */
   std::vector<VertexId> neighboursOf(VertexId a) const {
     std::vector<VertexId> found;
     const std::vector<Near> near = nearOf(a);
     for (const auto& [away, b] : near) {
-      if (!ways_.isBorder(b) && !isBlocked(away, b, near)) found.push_back(b);
+      const bool isOurs = ways_.isBorder(a) ? !ways_.isBorder(b) : !ways_.isBorder(b) && a < b;
+      if (isOurs && !isBlocked(away, b, near)) found.push_back(b);
     }
     for (std::size_t b = a.index() + 1; ways_.isBorder(a) && b < ways_.size(); ++b)
       if (ways_.isBorder(VertexId(b))) found.push_back(VertexId(b));
@@ -140,9 +138,10 @@ class Hall {
   void reachPlaces() {
     std::vector<Place> places = openFloor();
     for (const Edge& edge : ways_.edges()) bringNearer(places, edge.path);
+    const Point middle = centroid(room_.polygon);
     const auto rank = [&](const Place& place) {
-      return std::tuple(float(place.farSquared), float(distance(place.floor, middle_)),
-                        float(distance(place.floor, room_.widestPlace)));
+      return std::tuple(place.farSquared, distance(place.floor, middle), place.floor.x,
+                        place.floor.y);
     };
     while (!places.empty()) {
       const auto farthest =
@@ -159,41 +158,32 @@ class Hall {
    *  ways beside them reach. */
   std::vector<Place> openFloor() const {
     const double side = kFarFloor / 2;
+    const Point middle = centroid(room_.polygon);
     const Box box = boundingBox(room_.polygon.outer);
-    const double left = std::floor((middle_.x - box.low.x) / side);
-    const double below = std::floor((middle_.y - box.low.y) / side);
+    const double left = std::floor((middle.x - box.low.x) / side);
+    const double below = std::floor((middle.y - box.low.y) / side);
     GridFrame frame;
-    frame.resolution = side, frame.origin = middle_ - side * Point{left + 0.5, below + 0.5};
+    frame.resolution = side, frame.origin = middle - side * Point{left + 0.5, below + 0.5};
     frame.width = int((box.high.x - frame.origin.x) / side) + 1;
     frame.height = int((box.high.y - frame.origin.y) / side) + 1;
     std::vector<Place> places;
     for (const Cell cell : cellsIn(room_.polygon, frame)) {
-      const Point point = middle_ + side * Point{cell.x - left, cell.y - below};
-      if (obstacles_.isClear(point, point, side / 2 * (1 - kSameWidth)))
-        places.push_back({point, {}});
+      const Point point = middle + side * Point{cell.x - left, cell.y - below};
+      if (obstacles_.isClear(point, point, side / 2)) places.push_back({point, {}});
     }
     return places;
   }
 
-  /** Of two as near, but for rounding, that nearer to the middle of the room. */
-  bool isNearer(double farSquared, Point way, const Place& than) const {
-    if (farSquared > than.farSquared * (1 + kSameWidth)) return false;
-    return farSquared < than.farSquared * (1 - kSameWidth) ||
-           distance(way, middle_) < distance(than.way, middle_);
-  }
-
   /** Of the places those stay that are still far from any way. */
-  void bringNearer(std::vector<Place>& places, const Path& path) const {
-    const int steps = std::max(1, int(std::ceil(path.length / (kFarFloor / 4) * (1 - kSameWidth))));
+  static void bringNearer(std::vector<Place>& places, const Path& path) {
+    const int steps = std::max(1, int(std::ceil(path.length / (kFarFloor / 4))));
     for (int i = 0; i <= steps; ++i) {
       const Point way = placeOn(path, i == steps ? path.length : i * path.length / steps);
       for (Place& place : places)
-        if (const double far = squaredNorm(place.floor - way); isNearer(far, way, place))
+        if (const double far = squaredNorm(place.floor - way); far < place.farSquared)
           place.farSquared = far, place.way = way;
     }
-    eraseIf(places, [](const Place& place) {
-      return place.farSquared <= kFarFloor * kFarFloor * (1 + kSameWidth);
-    });
+    eraseIf(places, [](const Place& place) { return place.farSquared <= kFarFloor * kFarFloor; });
   }
 
   bool isClear(Point a, Point b) const {
@@ -204,7 +194,6 @@ class Hall {
   }
 
   const Room& room_;
-  const Point middle_;
   const RoomIndex index_;
   const ObstacleRows& obstacles_;
   double minClearance_;
